@@ -1,11 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Kills, full disks and other faults at every command that writes or reads results; counts what they harm.
+"""Shows that no result is lost, and that files of others do no harm; counts what does.
 
-    campaign.py NETLOFT SOURCE_FOLDER FULL_DISK.so [--kills 60] [--minutes M] [--seed 1] [--writes 12] [--only WORD] [--table FILE]
+    campaign.py NETLOFT SOURCE_FOLDER FULL_DISK.so [--kills 60] [--minutes M] [--writes 12] [--mutants 100] [--moments 10] [--others]
+                [--seed 1] [--only WORD] [--table FILE]
 
-prints a Markdown table with a row for each fault and command, and exits with 1 unless all counts of harm are 0. FILE holds the
-table of what has been tried so far, so that a campaign which is itself killed is not lost. The counts are of
+First come kills, full disks and other faults at every command that writes or reads results, then changed inputs (mutants.py), hostile
+files (others.py), and interruptions of runs of large scenes (moments.py). It prints a Markdown table of each and exits with 1 unless
+all counts of harm are 0. FILE holds the tables of what has been tried so far, so that a campaign which is itself killed is not lost.
+The counts of the first table are of
     lost            what was there before the fault, or was confirmed, is not there, or not all of it
     unreadable      a file that counts cannot be read, or the command does not succeed once the fault is over
     silently wrong  a number differs from that of a run without faults, and nothing says so
@@ -24,13 +27,18 @@ import time
 from pathlib import Path
 
 import h5py
-import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+import moments
+import mutants
+import others
 from journal import Damaged, Journal
 
 HARMS = ("lost", "unreadable", "silently wrong", "without a word")
 NOBODY = 65534
+OF_THE_RUN = ("netloft/solve/seconds", "netloft/motion/resumed_from")  # numbers that a resumed or slower run has of its own
+INTERRUPTED = 130
+SIGNALS = {"killed": signal.SIGKILL, "terminated": signal.SIGTERM, "interrupted": signal.SIGINT}
 TRIES_PER_TABLE = 50  # kept after so many: a minute or so
 
 
@@ -39,11 +47,12 @@ class Harm(Exception):
 
 
 def numbers_of(file):
-    """Every number of a result but what tells of time and machine."""
+    """Every number of a result but what tells of time, machine and interruptions."""
     found = {}
     with h5py.File(file) as f:
         def add(name, item):
             is_result = name.startswith("VTKHDF") or name.split("/")[1:2] not in (["cost"], ["provenance"], ["convergence"])
+            is_result &= name not in OF_THE_RUN
             if isinstance(item, h5py.Dataset) and item.dtype.kind in "fiu" and is_result:
                 found[name] = item[()].tobytes()
         f.visititems(add)
@@ -58,9 +67,8 @@ class Program:
         preload = {"LD_PRELOAD": self.library} if faults else {}
         return {**os.environ, "OMP_THREAD_LIMIT": "1", **preload, **{f"NETLOFT_{k}": str(v) for k, v in faults.items()}}
 
-    def begin(self, words, folder, faults=None, **how):
-        return subprocess.Popen([self.netloft, *words], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                                stderr=subprocess.DEVNULL, env=self.environment(faults or {}), **how)
+    def begin(self, words, folder, **how):
+        return subprocess.Popen([self.netloft, *words], cwd=folder, stdin=subprocess.DEVNULL, env=self.environment({}), **how)
 
     def run(self, words, folder, faults=None, **how):
         return subprocess.run([self.netloft, *words], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, text=True,
@@ -75,6 +83,8 @@ class Program:
 
 class Case:
     """A command in a folder; subclasses say what was there before and what must be there after a fault."""
+
+    writes = True
 
     def __init__(self, name, words, program):
         self.name, self.words, self.program = name, words, program
@@ -247,31 +257,30 @@ class Items(Case):
 
 
 class Page(Case):
-    """A command that reads results and writes one other file, or none."""
+    """A command that reads some files and writes others, or none."""
 
-    def __init__(self, name, words, output, sources, program, is_whole=None):
+    def __init__(self, name, words, outputs, sources, program, is_whole=None):
         super().__init__(name, words, program)
-        self.output, self.sources, self.is_whole = output, sources, is_whole
+        self.outputs, self.sources, self.is_whole, self.writes = outputs, sources, is_whole, bool(outputs)
 
     def prepare(self, folder):
-        fill(folder, {**self.sources, **({self.output: b"old"} if self.output else {})})
+        fill(folder, {**self.sources, **{output: b"old" for output in self.outputs}})
 
     def learn(self, folder):
         seconds = super().learn(folder)
-        self.new = (folder / self.output).read_bytes() if self.output else None
+        self.new = {output: (folder / output).read_bytes() for output in self.outputs}
         return seconds
 
     def judge(self, folder, confirmed, ran_twice=False):
         for name, content in self.sources.items():
             if (folder / name).read_bytes() != content:
                 raise Harm("lost", f"{name} was changed")
-        if not self.output:
-            return
-        if not (folder / self.output).exists():
-            raise Harm("lost", self.output)
-        content = (folder / self.output).read_bytes()
-        if content not in (b"old", self.new) and not (self.is_whole and self.is_whole(content, self.new)):
-            raise Harm("silently wrong", f"{self.output} is neither the old nor the new one")
+        for output, new in self.new.items():
+            if not (folder / output).exists():
+                raise Harm("lost", output)
+            content = (folder / output).read_bytes()
+            if content not in (b"old", new) and not (self.is_whole and self.is_whole(content, new)):
+                raise Harm("silently wrong", f"{output} is neither the old nor the new one")
 
 
 def is_whole_table(content, like):
@@ -282,7 +291,7 @@ def is_whole_table(content, like):
 
 class Tally:
     def __init__(self, file=None):
-        self.by_name, self.file = {}, file
+        self.by_name, self.file, self.other_tables, self.other_wrongs = {}, file, [], 0
 
     @property
     def rows(self):
@@ -307,10 +316,19 @@ class Tally:
         row[harm] += 1
         print(f"{row['fault']}, {row['case']}, try {row['tries']}: {harm}: {what}", file=sys.stderr, flush=True)
 
+    def add_table(self, table, wrongs):
+        self.other_tables.append(table)
+        self.other_wrongs += wrongs
+        if self.file:
+            self.keep()
+
     def keep(self):
         beside = self.file.with_name(self.file.name + ".new")
-        beside.write_text(self.table() + "\n")
+        beside.write_text(self.tables() + "\n")
         beside.replace(self.file)
+
+    def tables(self):
+        return "\n\n".join([self.table(), *self.other_tables])
 
     def table(self):
         lines = ["| fault | command | tries | " + " | ".join(HARMS) + " |", "|---" * (3 + len(HARMS)) + "|"]
@@ -320,7 +338,7 @@ class Tally:
         return "\n".join(lines)
 
     def is_clean(self):
-        return not any(row[harm] for row in self.rows for harm in HARMS)
+        return not self.other_wrongs and not any(row[harm] for row in self.rows for harm in HARMS)
 
 
 def in_fresh_folder(action):
@@ -337,14 +355,14 @@ def has_ended(run, seconds):
 
 
 class Kill:
-    """Kills at random instants of a command. How long it takes depends on what else the machine does, and the machine may
+    """Signals at random instants of a command. How long it takes depends on what else the machine does, and the machine may
     stop it for minutes: each run that ends before its kill says it anew and is tried again, and each kill that hits draws
     later ones from a longer time, so that the end of the command stays within reach."""
 
     LONGER = 1.05
 
-    def __init__(self, case, seconds, rng):
-        self.case, self.seconds, self.rng = case, seconds, rng
+    def __init__(self, case, seconds, rng, number=signal.SIGKILL):
+        self.case, self.seconds, self.rng, self.number = case, seconds, rng, number
 
     def __call__(self):
         while not in_fresh_folder(self.has_hit):
@@ -353,28 +371,54 @@ class Kill:
     def has_hit(self, folder):
         self.case.prepare(folder)
         begun = time.monotonic()
-        run = self.case.program.begin(self.case.words, folder)
-        if has_ended(run, self.rng.uniform(0, self.seconds)):
-            self.seconds = time.monotonic() - begun
+        with tempfile.TemporaryFile() as said:
+            run = self.case.program.begin(self.case.words, folder, stdout=said, stderr=said)
+            if has_ended(run, self.rng.uniform(0, self.seconds)):
+                self.seconds = time.monotonic() - begun
+                return False
+            confirmed = self.case.observe(folder)
+            run.send_signal(self.number)
+            code = run.wait(timeout=3600)
+            said.seek(0)
+            words = said.read().decode("utf-8", "replace")
+        # A signal that comes before the program has begun to hear them ends it; one that comes last finds its work done.
+        if code != -self.number and (code != INTERRUPTED or self.number == signal.SIGKILL):
+            if code not in (0, 3):
+                raise Harm("without a word", f"exit {code} after signal {self.number}: {words.strip()}")
             return False
-        confirmed = self.case.observe(folder)
-        run.send_signal(signal.SIGKILL)
-        if run.wait() != -signal.SIGKILL:
-            return False
+        if code == INTERRUPTED and "interrupted" not in words:
+            raise Harm("without a word", f"interrupted: {words.strip()}")
         self.seconds *= self.LONGER
         self.case.judge(folder, confirmed)
         return True
 
 
-def count_writes(case, folder):
+def deed_tries(case, most, rng):
+    """Kills before each write, sync, truncation and change of a name."""
+    deeds = in_fresh_folder(lambda folder: counts_of(case, folder)[1])
+
+    def attempt(folder, at):
+        case.prepare(folder)
+        case.program.run(case.words, folder, {"SIGNAL_AT": at})
+        case.judge(folder, None)
+    for at in sample(deeds, most, rng):
+        yield lambda at=at: in_fresh_folder(lambda folder: attempt(folder, at))
+
+
+def counts_of(case, folder):
+    """Writes, and deeds of all kinds. Of a pool of workers the last one to end counts, which may write nothing."""
     case.prepare(folder)
     count = folder / "count"
     case.program.run(case.words, folder, {"FAIL_WRITE": 0, "COUNT_FILE": count})
-    return max(1, int(count.read_text()))  # of a pool of workers the last one to end counts, which may write nothing
+    return [max(1, int(word)) for word in count.read_text().split()]
+
+
+def sample(count, most, rng):
+    return range(1, count + 1) if count <= most else sorted(rng.sample(range(1, count + 1), most))
 
 
 def full_disk_tries(case, most, rng):
-    writes = in_fresh_folder(lambda folder: count_writes(case, folder))
+    writes = in_fresh_folder(lambda folder: counts_of(case, folder)[0])
 
     def attempt(folder, number):
         case.prepare(folder)
@@ -384,8 +428,7 @@ def full_disk_tries(case, most, rng):
         if "No space left on device" not in ended.stderr:
             raise Harm("without a word", f"write {number} of {writes}: {ended.stderr.strip()}")
         case.judge(folder, None)
-    chosen = range(1, writes + 1) if writes <= most else sorted(rng.sample(range(1, writes + 1), most))
-    for number in chosen:
+    for number in sample(writes, most, rng):
         yield lambda number=number: in_fresh_folder(lambda folder: attempt(folder, number))
 
 
@@ -412,10 +455,9 @@ def read_only_tries(case):
         protect(folder, 0o555, 0o444)
         ended = case.program.run(case.words, folder, **({"user": NOBODY, "group": NOBODY} if os.geteuid() == 0 else {}))
         protect(folder, 0o755, 0o644)
-        writes = getattr(case, "output", True)
-        if writes and (ended.returncode == 0 or "Permission denied" not in ended.stderr):
+        if case.writes and (ended.returncode == 0 or "Permission denied" not in ended.stderr):
             raise Harm("without a word", f"exit {ended.returncode}: {ended.stderr.strip()}")
-        if not writes and ended.returncode not in (0, 3):
+        if not case.writes and ended.returncode not in (0, 3):
             raise Harm("unreadable", ended.stderr.strip())
         case.judge(folder, None)
     yield lambda: in_fresh_folder(attempt)
@@ -478,27 +520,30 @@ def make_cases(words, program, folder):
     study = make_study(folder, program, scenes / "hanging-rope.toml")
     plan = {name: content for name, content in study.items() if name.endswith(".toml")}
     begun = {name: content for i, (name, content) in enumerate(study.items()) if not name.endswith(".json") or i % 2}
+    bars = {"bars.csv": (Path(words.source) / "tests" / "fuzz" / "seeds" / "import" / "table").read_bytes()}
     solve = ["compare", *panel, "--solver", "newton", "--tolerance", "1e-3:1e-2", "--repeats", "1", "--csv", "out.csv"]
     return [Result("run, equilibrium", ["run", *panel, "-o", "p.hdf"], ["run", *panel, "-o", "p.hdf", "--set", "water.gravity=5"], program),
             Motion("run, motion", rope, 0, program),
             Motion("run --resume", rope, 200, program),
-            Page("report", ["report", "p.hdf"], None, source, program),
-            Page("report --html", ["report", "p.hdf", "--html", "-o", "out.html"], "out.html", source, program),
-            Page("diff", ["diff", "p.hdf", "p.hdf"], None, source, program),
-            Page("view", ["view", "p.hdf", "-o", "out.html"], "out.html", source, program),
-            Page("draw", ["draw", "p.hdf", "-o", "out.svg"], "out.svg", source, program),
-            Page("export", ["export", "p.hdf", "out.glb"], "out.glb", source, program),
-            Page("compare --csv", solve, "out.csv", {}, program, is_whole_table),
-            Page("study plan", ["study", "plan", "s.toml"], "s.study/manifest.jsonl", plan, program),
+            Page("report", ["report", "p.hdf"], (), source, program),
+            Page("report --html", ["report", "p.hdf", "--html", "-o", "out.html"], ("out.html",), source, program),
+            Page("diff", ["diff", "p.hdf", "p.hdf"], (), source, program),
+            Page("view", ["view", "p.hdf", "-o", "out.html"], ("out.html",), source, program),
+            Page("draw", ["draw", "p.hdf", "-o", "out.svg"], ("out.svg",), source, program),
+            Page("export", ["export", "p.hdf", "out.glb"], ("out.glb",), source, program),
+            Page("import", ["import", "table", "bars.csv", "-o", "bars.toml"], ("bars.toml", "bars.mesh"), bars, program),
+            Page("compare --csv", solve, ("out.csv",), {}, program, is_whole_table),
+            Page("study plan", ["study", "plan", "s.toml"], ("s.study/manifest.jsonl",), plan, program),
             Items("study run", ["study", "run", "s.study", "--jobs", "1"], begun, program),
             Items("study run --items", ["study", "run", "s.study", "--items", missing_item(begun)], begun, program),
-            Page("study collect", ["study", "collect", "s.study"], "s.study/table.hdf", study, program),
-            Page("study show", ["study", "show", "s.study", "-o", "out.html"], "out.html", study, program)]
+            Page("study collect", ["study", "collect", "s.study"], ("s.study/table.hdf",), study, program),
+            Page("study show", ["study", "show", "s.study", "-o", "out.html"], ("out.html",), study, program)]
 
 
 def try_faults(words, case, seconds, tally, rng):
-    if getattr(case, "output", True):
+    if case.writes:
         tally.count("disk full from the k-th write on", case.name, full_disk_tries(case, words.writes, rng))
+    tally.count("killed before the k-th deed", case.name, deed_tries(case, words.writes, rng))
     tally.count("short reads and writes", case.name, oddity_tries(case, {"SHORT_READS": 1, "SHORT_WRITES": 1}))
     tally.count("clock goes back", case.name, oddity_tries(case, {"CLOCK_BACK": 3600}))
     tally.count("folder is read-only", case.name, read_only_tries(case))
@@ -509,21 +554,36 @@ def try_faults(words, case, seconds, tally, rng):
 def kill_all(words, cases, seconds, tally, rng):
     """In turns, so that an end before all kills are done leaves as many of each command."""
     end = time.monotonic() + 60 * words.minutes
-    kills = [Kill(case, seconds[case.name], rng) for case in cases]
+    kills = [(fault, Kill(case, seconds[case.name], rng, number)) for fault, number in SIGNALS.items() for case in cases]
     for number in range(words.kills):
         if time.monotonic() > end:
             return
-        kill = kills[number % len(kills)]
-        tally.count("killed", kill.case.name, (kill,))
+        fault, kill = kills[number % len(kills)]
+        tally.count(fault, kill.case.name, (kill,))
 
 
 def try_all(words, cases, tally):
     rng = random.Random(words.seed)
     seconds = {case.name: in_fresh_folder(case.learn) for case in cases}
     for case in cases:
-        tally.count("killed", case.name, ())
+        for fault in SIGNALS:
+            tally.count(fault, case.name, ())
         try_faults(words, case, seconds[case.name], tally, rng)
     kill_all(words, cases, seconds, tally, rng)
+
+
+def try_files_of_others(words, program, tally):
+    netloft, source = words.netloft, Path(words.source)
+    left = words.table.with_name(words.table.stem + "-mutants") if words.table else Path("mutants")
+    if words.mutants:
+        table, wrong = in_fresh_folder(lambda folder: mutants.try_mutants(words.mutants, words.seed, netloft, source, program, folder, left))
+        tally.add_table(table, wrong)
+    if words.others:
+        table, tries, wrong = in_fresh_folder(lambda folder: others.ask_all(netloft, source, program, folder))
+        tally.add_table(f"{table}\n\nHostile files: {tries} commands, {wrong} wrong answers.", wrong)
+    if words.moments:
+        table, _, wrong = in_fresh_folder(lambda folder: moments.try_moments(words.moments, words.seed, netloft, source, folder))
+        tally.add_table(table, wrong)
 
 
 def parse(arguments):
@@ -535,8 +595,11 @@ def parse(arguments):
     p.add_argument("--minutes", type=float, default=1e6, help="no more kills after these")
     p.add_argument("--seed", type=int, default=1)
     p.add_argument("--writes", type=int, default=12, help="at most so many writes of a command that fail in turn")
-    p.add_argument("--table", type=Path, help="a file that holds the table of what has been tried so far")
-    p.add_argument("--only", default="", help="only commands whose name contains this")
+    p.add_argument("--mutants", type=int, default=100, help="inputs with changes at random")
+    p.add_argument("--moments", type=int, default=10, help="interruptions of runs of large scenes")
+    p.add_argument("--others", action="store_true", help="every command on each hostile file")
+    p.add_argument("--table", type=Path, help="a file that holds the tables of what has been tried so far")
+    p.add_argument("--only", default="", help="of kills and faults only those of commands whose name contains this")
     words = p.parse_args(arguments)
     words.netloft, words.source, words.library = (os.path.abspath(path) for path in (words.netloft, words.source, words.library))
     return words
@@ -548,10 +611,11 @@ def main(arguments):
     cases = in_fresh_folder(lambda folder: make_cases(words, program, folder))
     try:
         try_all(words, [case for case in cases if words.only in case.name], tally)
+        try_files_of_others(words, program, tally)
     except KeyboardInterrupt:
         print("interrupted: the counts are of what was tried until then", file=sys.stderr)
     finally:
-        print(tally.table(), flush=True)
+        print(tally.tables(), flush=True)
     return 0 if tally.is_clean() else 1
 
 

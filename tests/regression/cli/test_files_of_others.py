@@ -1,109 +1,28 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Results, journals and studies that somebody else made: every command answers each of them, and reads, writes, prints and runs nothing
-that is not the file's own. Each hostile file is made here, out of a good one."""
+that is not the file's own."""
 import csv
 import io
 import json
 import os
 import re
 import shutil
-import struct
 import subprocess
 import sys
 import unittest
 import xml.etree.ElementTree
-import zlib
 from pathlib import Path
 
 import h5py
-import numpy as np
 
 from program import GOOD, SOURCE, InFreshFolder, changed
 
 sys.path.append(str(SOURCE / "tests" / "support"))
-import journal  # noqa: E402
+import files_of_others as others  # noqa: E402
 
 MOTION = [str(SOURCE / "gear-library/scenes/dynamics/released-rope.toml"), "--set", "analysis.output_interval=0.5", "--set",
           "analysis.duration=2", "--set", "parts.rope.cells=4"]
-SECRET = "TOP SECRET: the password is hunter2; "
-ESCAPES = "\x1b]0;owned\x07\x1b[31mred\x9b31m\x7f"
-CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f]")
-UNSEEN = 987654.3125  # in files that nobody was given
 SCENE = changed(GOOD, ("[results]\n", '[results]\n"=2+3" = { of = "rope", take = "max z" }\n'))
-
-
-def replaced(path, make):
-    """A change: another dataset of the same extents, with the same attributes."""
-    def change(f):
-        old = f[path]
-        shape, dtype, attributes = old.shape, old.dtype, dict(old.attrs)
-        del f[path]
-        make(f, path, shape, dtype)
-        if isinstance(f.get(path, getlink=True), h5py.HardLink):
-            f[path].attrs.update(attributes)
-    return change
-
-
-def external(file):
-    return replaced("VTKHDF/Points", lambda f, path, shape, dtype: f.create_dataset(
-        path, shape=shape, dtype="f8", external=[(file, 0, h5py.h5f.UNLIMITED)]))
-
-
-def virtual(file):
-    def make(f, path, shape, dtype):
-        layout = h5py.VirtualLayout(shape=shape, dtype="f8")
-        layout[...] = h5py.VirtualSource(file, "x", shape=shape)
-        f.create_virtual_dataset(path, layout)
-    return replaced("VTKHDF/Points", make)
-
-
-def link(target):
-    def change(f):
-        del f["VTKHDF/Points"]
-        f["VTKHDF/Points"] = target
-    return change
-
-
-def texts(path, text):
-    return replaced(path, lambda f, path, shape, dtype: f.create_dataset(
-        path, data=np.array([text + str(i) for i in range(shape[0])], dtype=object), dtype=h5py.string_dtype()))
-
-
-def nested(f):
-    group = f["netloft"].create_group("gear")
-    for _ in range(3000):
-        group = group.create_group("a")
-
-
-def names(f):
-    f.create_dataset("netloft/scalars/" + ESCAPES, data=1.0).attrs["unit"] = "m"
-
-
-# What each is refused for.
-OUTSIDE = {
-    "external-text": (external("../secret.txt"), r"/VTKHDF/Points has its numbers in another file, \.\./secret\.txt \(external storage\)"),
-    "external-pipe": (external("../pipe"), r"/VTKHDF/Points has its numbers in another file, \.\./pipe \(external storage\)"),
-    "virtual": (virtual("../other.h5"), r"/VTKHDF/Points is made of datasets of other files \(a virtual dataset\)"),
-    "virtual-pipe": (virtual("../pipe"), r"/VTKHDF/Points is made of datasets of other files \(a virtual dataset\)"),
-    "external-link": (link(h5py.ExternalLink("../other.h5", "/points")), r"/VTKHDF/Points is an external link"),
-    "link-to-a-pipe": (link(h5py.ExternalLink("../pipe", "/points")), r"/VTKHDF/Points is an external link"),
-    "soft-link": (link(h5py.SoftLink("/VTKHDF/Types")), r"/VTKHDF/Points is a soft link")}
-CURE = "; only data in the file itself are read, so ask for a file that holds all its data"
-REFUSED = {
-    **{name: (change, why + CURE) for name, (change, why) in OUTSIDE.items()},
-    "nested-groups": (nested, "/netloft/gear(/a)+ is nested deeper than 16 groups"),
-    "names-of-objects": (names, r"the name of /netloft/scalars/\\u001b\]0;owned\\u0007\\u001b\[31mred\\u009b31m\\u007f has control characters"),
-    "names-of-holds": (texts("netloft/forces/held_name", ESCAPES), r"/netloft/forces/held_name has a name with control characters, \\u001b"),
-    "names-of-parts": (texts("netloft/parts/name", ESCAPES), r"/netloft/parts/name has a name with control characters, \\u001b")}
-
-
-def commands_on(name):
-    """Each with the files that it may write."""
-    return ([], "report", name), ([], "report", name, "--json"), ([], "report", name, "--csv"), (["o.html"], "report", name, "-o", "o.html"), \
-        (["o.html"], "view", name, "-o", "o.html"), (["o.svg"], "draw", name, "-o", "o.svg"), (["o.png"], "draw", name, "-o", "o.png"), \
-        (["o.csv"], "export", name, "o.csv"), (["o.csv"], "export", name, "o.csv", "--table", "elements"), (["o.glb"], "export", name, "o.glb"), \
-        (["o.mesh"], "export", name, "o.mesh"), (["o.vtk"], "export", name, "o.vtk"), ([], "diff", name, "good.hdf"), ([], "diff", "good.hdf", name), \
-        (["o.hdf"], "run", "scene.toml", "--start-from", name, "-o", "o.hdf"), ([], "plan", "mesh.toml"), (["o.hdf"], "run", "mesh.toml", "-o", "o.hdf")
 
 
 class OfOthers(InFreshFolder):
@@ -112,10 +31,7 @@ class OfOthers(InFreshFolder):
         self.outer = self.folder
         self.folder = self.outer / "work"
         self.folder.mkdir()
-        (self.outer / "secret.txt").write_text(SECRET * 400)
-        os.mkfifo(self.outer / "pipe")
-        with h5py.File(self.outer / "other.h5", "w") as f:
-            f["points"] = f["x"] = np.full((1000, 3), UNSEEN)
+        others.lay_out(self.outer)
         self.write("scene.toml", SCENE)
 
     def good_result(self):
@@ -139,9 +55,8 @@ class OfOthers(InFreshFolder):
         for name in set(after) - {f"work/{one}{ending}" for one in writes for ending in ("", "~")}:
             self.assertEqual(after[name], before.get(name), f"{words} wrote {name}")
         for text in (ended.out, ended.err):
-            self.assertIsNone(CONTROL.search(text), f"{words}: {text!r}")
-            self.assertNotIn("hunter2", text)
-            self.assertNotIn(str(UNSEEN)[:6], text)
+            self.assertIsNone(others.CONTROL.search(text), f"{words}: {text!r}")
+            self.assertFalse(others.shows_what_is_foreign(text), text)
         for name in writes:
             (self.folder / name).unlink(missing_ok=True)
         return ended
@@ -149,10 +64,7 @@ class OfOthers(InFreshFolder):
 
 class Results(OfOthers):
     def hostile(self, good, name, change):
-        """Without its checksums, as a result of an older version: whoever makes such a file leaves them out."""
-        (self.folder / name).write_bytes(good[:good.rindex(b"netloft checksums 1\n")])
-        with h5py.File(self.folder / name, "r+") as f:
-            change(f)
+        others.write_result(self.folder / name, good, change)
         self.write("mesh.toml", changed(SCENE, ('panel = { across = 4, along = 4, bar = "0.6 m" }\ncells = [4, 4]\n'
                                                 'sketch = [[-2, 0, 0], [2, 0, 0], [2, 0, -4], [-2, 0, -4]]',
                                                 f'panel = {{ bar = "0.6 m" }}\nmesh = "{name}"')))
@@ -166,10 +78,10 @@ class Results(OfOthers):
 
     def test_that_lead_elsewhere_are_refused_by_every_command(self):
         good = self.good_result()
-        for kind, (change, why) in REFUSED.items():
+        for kind, (change, why) in others.REFUSED.items():
             name = f"{kind}.hdf"
             self.hostile(good, name, change)
-            for _, *words in commands_on(name):
+            for _, *words in others.commands_on(name):
                 if kind == "names-of-holds" and "mesh.toml" in words:
                     continue  # a mesh has no holds
                 with self.subTest(kind=kind, command=words):
@@ -177,7 +89,7 @@ class Results(OfOthers):
 
     def test_that_lead_elsewhere_are_refused_as_what_a_run_has_left(self):
         good = self.good_result()
-        for kind, (change, why) in REFUSED.items():
+        for kind, (change, why) in others.REFUSED.items():
             with self.subTest(kind=kind):
                 self.hostile(good, "left.hdf.part", change)
                 self.expect_refused("left.hdf.part", why, "report", "left.hdf.part")
@@ -194,7 +106,7 @@ class Results(OfOthers):
             how.set_filter(32015, h5py.h5z.FLAG_OPTIONAL, ())
             made = h5py.h5d.create(f.id, path.encode(), h5py.h5t.IEEE_F64LE, h5py.h5s.create_simple(shape), how)
             made.write_direct_chunk((0, 0), b"\0" * 8 * shape[0] * shape[1])
-        self.hostile(self.good_result(), "filter.hdf", replaced("VTKHDF/Points", filtered))
+        self.hostile(self.good_result(), "filter.hdf", others.replaced("VTKHDF/Points", filtered))
         ended = self.netloft("export", "filter.hdf", "o.csv", environment=self.environment(HDF5_PLUGIN_PATH=str(self.folder)))
         self.assertEqual(ended.code, 2, ended.out)
         self.assertIn("cannot read /VTKHDF/Points in filter.hdf", ended.err)
@@ -202,18 +114,9 @@ class Results(OfOthers):
 
     def test_with_escapes_in_their_texts_do_not_speak_to_the_terminal(self):
         good = self.good_result()
-
-        def change(f):
-            for path in ("netloft/provenance/files/path", "netloft/provenance/files/text", "netloft/provenance/plugins/name"):
-                texts(path, ESCAPES)(f)
-            f.create_dataset("netloft/diagnostics", data=np.array([ESCAPES], dtype=object), dtype=h5py.string_dtype())
-            f["netloft/status"].attrs["outcome"] = ESCAPES
-            f["netloft/status"].attrs["sentence"] = ESCAPES
-            for dataset in f["netloft/scalars"].values():
-                dataset.attrs["unit"] = dataset.attrs["doc"] = ESCAPES
-        self.hostile(good, "texts.hdf", change)
+        self.hostile(good, "texts.hdf", others.escapes_in_texts)
         shown = 0
-        for writes, *words in commands_on("texts.hdf"):
+        for writes, *words in others.commands_on("texts.hdf"):
             with self.subTest(command=words):
                 ended = self.answer(*words, writes=writes)
                 self.assertIn(ended.code, (0, 2, 3), ended.err)
@@ -223,11 +126,7 @@ class Results(OfOthers):
 
     def test_with_many_figures_are_answered(self):
         good = self.good_result()
-
-        def change(f):
-            for i in range(5000):
-                f.create_dataset(f"netloft/gear/x{i}", data=1.0).attrs["unit"] = "m"
-        self.hostile(good, "many.hdf", change)
+        self.hostile(good, "many.hdf", others.many_figures)
         for _, *words in (([], "report", "many.hdf"), ([], "diff", "many.hdf", "good.hdf")):
             self.assertEqual(self.answer(*words).code, 0)
 
@@ -245,39 +144,13 @@ class Results(OfOthers):
 
 
 class Journals(OfOthers):
-    def rewritten(self, part, change):
-        """A journal with right checksums whose record of the layout `change` has changed."""
-        data = bytearray(part.read_bytes()[:16])
-        for kind, content in journal.records_of(part.read_bytes()):
-            content = change(content) if kind == journal.LAYOUT else content
-            head = struct.pack("<QI", len(content), kind)
-            data += head + struct.pack("<I", zlib.crc32(head)) + content + struct.pack("<I", zlib.crc32(content))
-        part.write_bytes(data)
-
     def test_whose_inputs_lead_elsewhere_are_refused(self):
-        def in_image(change):
-            def change_layout(content):
-                c = journal.Content(content)
-                identity, image = c.bytes(), c.bytes()
-                with open(self.outer / "image", "wb") as f:
-                    f.write(image)
-                with h5py.File(self.outer / "image", "r+") as f:
-                    change(f)
-                image = (self.outer / "image").read_bytes()
-                return struct.pack("<Q", len(identity)) + identity + struct.pack("<Q", len(image)) + image + content[c.at:]
-            return change_layout
-
-        def outside(f):
-            f.create_dataset("netloft/secret", shape=(5,), dtype="f8", external=[("../pipe", 0, h5py.h5f.UNLIMITED)])
-
-        def links(f):
-            f["netloft/secret"] = h5py.ExternalLink("../pipe", "/x")
-        for change, why in ((outside, r"/netloft/secret has its numbers in another file, \.\./pipe"), (links, "/netloft/secret is an external link")):
+        for change, why in others.IN_JOURNALS.values():
             part = self.folder / "r.hdf.part"
             (self.folder / "r.hdf.new").mkdir()  # its outputs stay a journal
             self.assertEqual(self.netloft("run", *MOTION, "-o", "r.hdf").code, 1)
             (self.folder / "r.hdf.new").rmdir()
-            self.rewritten(part, in_image(change))
+            others.rewrite_journal(part, others.in_image(change, self.outer / "image"))
             for words in (["report", part.name], ["view", part.name, "-o", "o.html"], ["diff", part.name, part.name], ["export", part.name, "o.csv"]):
                 with self.subTest(why=why, command=words):
                     ended = self.answer(*words)
@@ -299,11 +172,6 @@ samples = 4
 """
 
 
-def actions_on(folder):
-    return (["run", folder], ["missing", folder], ["submit", folder, "--engine", "parallel"], ["submit", folder, "--engine", "slurm"],
-            ["collect", folder], ["show", folder], ["estimate", folder, "--at", "water=1005"], ["sobol", folder])
-
-
 class Studies(OfOthers):
     def good_study(self):
         self.write("s.toml", STUDY)
@@ -314,18 +182,10 @@ class Studies(OfOthers):
         return Path(shutil.copytree(self.folder / "s.study", self.folder / name))
 
     def renamed(self, name, change):
-        """A copy whose first line is changed, with the right checksum."""
-        place = self.copy(name) / "manifest.jsonl"
-        first, rest = place.read_bytes().split(b"\n", 1)
-        head = json.loads(first)
-        del head["crc32"]
-        change(head)
-        dump = lambda: json.dumps(head, separators=(",", ":"), ensure_ascii=False).encode() + b"\n"  # noqa: E731
-        head["crc32"] = f"{zlib.crc32(rest, zlib.crc32(dump())):08x}"
-        place.write_bytes(dump() + rest)
+        others.change_manifest(self.copy(name) / "manifest.jsonl", change)
 
     def expect_refused(self, folder, why):
-        for words in actions_on(folder):
+        for words in others.actions_on(folder):
             with self.subTest(folder=folder, action=words[0]):
                 ended = self.answer("study", *words)
                 self.assertEqual(ended.code, 2, ended.out + ended.err)
@@ -333,7 +193,7 @@ class Studies(OfOthers):
 
     def test_whose_names_lead_elsewhere_are_refused(self):
         self.good_study()
-        for folder, name in (("outside", "../../pwned"), ("absolute", str(self.outer / "pwned")), ("command", "x\ntouch EXECUTED; #"), ("escape", ESCAPES)):
+        for folder, name in {**others.NAMES_OF_STUDIES, "absolute": str(self.outer / "pwned")}.items():
             self.renamed(f"{folder}.study", lambda head: head.update(name=name))
             self.expect_refused(f"{folder}.study", "the name of the study, ")
         self.renamed("variable.study", lambda head: head["variables"][0].update(name="../x\n=2+3"))
@@ -356,27 +216,27 @@ class Studies(OfOthers):
         self.good_study()
         study = self.copy("escape.study")
         records = sorted((study / "items").glob("*.json"))
-        records[0].with_suffix(".failed").write_text(ESCAPES)
+        records[0].with_suffix(".failed").write_text(others.ESCAPES)
         records[0].unlink()
         for record, place in ((records[1], "reason"), (records[2], "figures")):
             text = json.loads(record.read_text().rsplit("crc32 ", 1)[0])
             if place == "figures":
-                text["figures"][0]["name"] = "gear/" + ESCAPES
+                text["figures"][0]["name"] = "gear/" + others.ESCAPES
             else:
-                text["points"][0].update(reason=ESCAPES, status="=2+3")
-                text["cost"]["host"] = "@" + ESCAPES
+                text["points"][0].update(reason=others.ESCAPES, status="=2+3")
+                text["cost"]["host"] = "@" + others.ESCAPES
             content = json.dumps(text, ensure_ascii=False).encode() + b"\n"
-            record.write_bytes(content + f"crc32 {zlib.crc32(content):08x}\n".encode())
+            record.write_bytes(others.sealed_record(content))
         ended = self.netloft("study", "collect", "escape.study")
         self.assertEqual(ended.code, 1, ended.err)
         self.assertIn("\\u001b", ended.err)
         self.assertIn("a figure cannot be called", ended.err)
         for name in ("table.csv", "costs.csv"):
             table = (study / name).read_bytes().decode()
-            self.assertIsNone(CONTROL.search(table), name)
+            self.assertIsNone(others.CONTROL.search(table), name)
             self.expect_no_formulas(table)
         own = [f"escape.study/{name}" for name in ("table.csv", "table.hdf", "costs.csv", "s.html", "parallel.sh", "slurm.sh")]
-        for words in actions_on("escape.study")[1:]:
+        for words in others.actions_on("escape.study")[1:]:
             self.answer("study", *words, writes=own)
 
     def test_whose_file_is_called_like_a_command_run_none(self):

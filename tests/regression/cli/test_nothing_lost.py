@@ -137,7 +137,7 @@ class OnAFullDisk(InFreshFolder):
     def count_writes(self, *words):
         self.assertEqual(self.netloft(*words, environment=self.environment(LD_PRELOAD=FULL_DISK, NETLOFT_FAIL_WRITE="0",
                                                                            NETLOFT_COUNT_FILE=str(self.folder / "count"))).code, 0)
-        count = int((self.folder / "count").read_text())
+        count = int((self.folder / "count").read_text().split()[0])
         (self.folder / "count").unlink()
         return count
 

@@ -4,9 +4,12 @@
  *   NETLOFT_DISK_BYTES=n   regular files may grow by n bytes in all; a write that needs more fails with ENOSPC
  *   NETLOFT_FAIL_WRITE=k   the k-th write (from 1) and all later ones fail with ENOSPC; 0 counts them only
  *   NETLOFT_FULL_KILLS=1   a write that would fail with ENOSPC kills the program instead, as a loss of power would
- *   NETLOFT_COUNT_FILE=f   at the end the number of writes is written into f
+ *   NETLOFT_SIGNAL_AT=k    before the k-th deed (from 1) that changes a file, its name or what is on the disk, the
+ *                          program gets the signal NETLOFT_SIGNAL, or SIGKILL
+ *   NETLOFT_COUNT_FILE=f   at the end the numbers of writes and of deeds are written into f
  *   NETLOFT_SHORT_READS=1  every read of a regular file returns at most half of what was asked for
  *   NETLOFT_SHORT_WRITES=1 every write to a regular file takes at most half of what it is given
+ *   NETLOFT_SLOW_WRITES=t  every write to a regular file takes t milliseconds of processor time
  *   NETLOFT_CLOCK_BACK=s   the clock of the system goes back by s seconds whenever it is read
  */
 #define _GNU_SOURCE
@@ -14,6 +17,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <stdarg.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,7 +26,7 @@
 #include <time.h>
 #include <unistd.h>
 
-static atomic_long grown, writes;
+static atomic_long grown, writes, deeds;
 
 static long limit(const char *name) {
   const char *text = getenv(name);
@@ -31,10 +35,23 @@ static long limit(const char *name) {
 
 static int is_file(int fd, struct stat *status) { return fstat(fd, status) == 0 && S_ISREG(status->st_mode); }
 
+/* A deed is under way: a write, a sync, a truncation, a new name or the end of one. */
+static void begin_deed(void) {
+  const long at = limit("NETLOFT_SIGNAL_AT"), number = limit("NETLOFT_SIGNAL");
+  if (atomic_fetch_add(&deeds, 1) + 1 == at) raise(number > 0 ? (int)number : SIGKILL);
+}
+
+static void take_time(void) {
+  const long wait = limit("NETLOFT_SLOW_WRITES");
+  for (const clock_t end = clock() + wait * (CLOCKS_PER_SEC / 1000); wait > 0 && clock() < end;) continue;
+}
+
 /* Whether the disk has room for `count` more bytes at `offset` of the file. */
 static int has_room(int fd, size_t count, off_t offset) {
   struct stat status;
   if (!is_file(fd, &status)) return 1;
+  begin_deed();
+  take_time();
   const long fail_at = limit("NETLOFT_FAIL_WRITE"), bytes = limit("NETLOFT_DISK_BYTES");
   const long number = atomic_fetch_add(&writes, 1) + 1;
   if (fail_at > 0 && number >= fail_at) return 0;
@@ -97,6 +114,39 @@ static ssize_t read_at(int fd, void *data, size_t count, off_t offset) {
 ssize_t pread(int fd, void *data, size_t count, off_t offset) { return read_at(fd, data, count, offset); }
 ssize_t pread64(int fd, void *data, size_t count, off_t offset) { return read_at(fd, data, count, offset); }
 
+#define DEED(name, parameters, arguments)                  \
+  int name parameters {                                   \
+    static int(*real) parameters;                         \
+    if (!real) *(void **)&real = dlsym(RTLD_NEXT, #name); \
+    begin_deed();                                         \
+    return real arguments;                                \
+  }
+
+DEED(fsync, (int fd), (fd))
+DEED(fdatasync, (int fd), (fd))
+DEED(ftruncate, (int fd, off_t length), (fd, length))
+DEED(ftruncate64, (int fd, off_t length), (fd, length))
+DEED(rename, (const char *from, const char *to), (from, to))
+DEED(link, (const char *from, const char *to), (from, to))
+DEED(unlink, (const char *path), (path))
+DEED(mkdir, (const char *path, mode_t mode), (path, mode))
+
+/* A file that is opened to be made is a deed as well. */
+#define OPEN(name)                                            \
+  int name(const char *path, int flags, ...) {                \
+    static int (*real)(const char *, int, ...);               \
+    if (!real) *(void **)&real = dlsym(RTLD_NEXT, #name);     \
+    va_list more;                                             \
+    va_start(more, flags);                                    \
+    const mode_t mode = flags & O_CREAT ? va_arg(more, mode_t) : 0; \
+    va_end(more);                                             \
+    if (flags & O_CREAT) begin_deed();                        \
+    return real(path, flags, mode);                           \
+  }
+
+OPEN(open)
+OPEN(open64)
+
 static long seconds_back(void) {
   static atomic_long readings;
   const long step = limit("NETLOFT_CLOCK_BACK");
@@ -130,6 +180,6 @@ __attribute__((destructor)) static void report(void) {
   const char *file = getenv("NETLOFT_COUNT_FILE");
   FILE *out = file ? fopen(file, "w") : NULL;
   if (!out) return;
-  fprintf(out, "%ld\n", atomic_load(&writes));
+  fprintf(out, "%ld %ld\n", atomic_load(&writes), atomic_load(&deeds));
   fclose(out);
 }
