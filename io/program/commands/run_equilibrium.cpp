@@ -7,7 +7,10 @@
 #include "io/runs/equilibrium.hpp"
 #include "io/studies/compare/mesh_error.hpp"
 
+#include <filesystem>
+#include <functional>
 #include <stdexcept>
+#include <system_error>
 
 namespace netloft::program {
 
@@ -71,13 +74,15 @@ class EquilibriumRun {
     Watchdog watchdog(terminal_, [&](const Overdue& overdue) { return end_early(overdue); });
     const auto on_budget = [&](double seconds) { watchdog.allow(seconds); };
     solve(start, on_budget);
+    if (!options_.error) begin_writing(watchdog);
     results::Result result = results::make_result(scene_.loaded(), scene_.assembler(), solution_);
-    if (options_.error)
+    if (options_.error) {
       studies::find_mesh_errors(scene_.source(), scene_.registry(), scene_, solution_, levels_,
                                 {.interrupt = &interrupt_flag(), .on_budget = on_budget}, result);
+      begin_writing(watchdog);
+    }
     context_.plugins = scene_.registry().opened();
-    watchdog.let_finish("the result is being written; a second interruption ends without it");
-    finish(scene_.assembler(), std::move(result));
+    finish(scene_.assembler(), std::move(result), [&] { watchdog.end_writing(); });
     return options_.error && interrupt_flag() ? kInterrupted : exit_code(solution_.status);
   }
 
@@ -93,8 +98,16 @@ class EquilibriumRun {
         start ? runs::find_equilibrium_near(scene_, *start, watch) : runs::find_equilibrium(scene_, watch);
   }
 
-  /// Adds to the result what the solution does not contain, writes the result and prints it.
-  void finish(Assembler& assembler, results::Result result) {
+  void begin_writing(Watchdog& watchdog) {
+    watchdog.begin_writing([part = (*file_).part_path()] {
+      std::error_code none;
+      std::filesystem::remove(part, none);
+    });
+  }
+
+  /// Adds to the result what the solution does not contain, writes the result and prints it. `on_written` is
+  /// called before the file gets its final name.
+  void finish(Assembler& assembler, results::Result result, const std::function<void()>& on_written) {
     result.origins = results::make_origins(scene_.loaded(), context_);
     result.origins.finished = results::utc_now();
     result.reading_seconds = scene_.seconds().reading;
@@ -102,6 +115,8 @@ class EquilibriumRun {
     result.states = stages_.size() + 1;
     result.path = name_by_outcome(*file_, solution_, terminal_);
     results::write_result(*file_, scene_.loaded(), assembler, {solution_, stages_}, result);
+    on_written();
+    (*file_).finish_as(result.path);
     print_result(options_, terminal_, result);
   }
 
@@ -119,7 +134,7 @@ class EquilibriumRun {
     Solution& s = solution_ = runs::assess_point(scene_, kept_.u, assembler);
     s.status = overdue.interrupted ? SolveStatus::interrupted : SolveStatus::not_converged;
     s.reason = overdue.sentence + "; this is the last shape that was found before";
-    finish(assembler, results::make_result(scene_.loaded(), assembler, s));
+    finish(assembler, results::make_result(scene_.loaded(), assembler, s), [] {});
     return code;
   }
 

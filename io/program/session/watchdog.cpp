@@ -26,6 +26,7 @@ constexpr double kLook = 0.1;  // [s] between two inspections
 // [s] that a plugin call may take after the time is over; factorisations of the host do not count
 constexpr double kGrace = 2;
 constexpr double kGraceOfReading = 0.5;  // [s] that reading a scene may still take
+constexpr double kGraceOfWriting = 0.7;  // [s] of processor time that writing a result may still take
 // Calls of the host that a method may still make after the time is over. Built-in solvers check the time at
 // least ten times within as many calls.
 constexpr std::uint64_t kCallbacks = 1000;
@@ -74,9 +75,14 @@ void Watchdog::allow(double seconds) {
   deadline_ = cpu_seconds() + seconds;
 }
 
-void Watchdog::let_finish(std::string sentence) {
+void Watchdog::begin_writing(std::function<void()> abandon) {
   const std::lock_guard lock(mutex_);
-  if (!interrupt_flag()) to_finish_ = std::move(sentence);
+  abandon_ = std::move(abandon);
+}
+
+void Watchdog::end_writing() {
+  const std::lock_guard lock(mutex_);  // never comes while the watchdog abandons the result
+  abandon_ = nullptr;
 }
 
 bool Watchdog::is_over(bool& interrupted) {
@@ -99,11 +105,25 @@ void Watchdog::watch() {
 /// Ends a run if reading does not end after an interruption. Most steps of reading check for interruptions;
 /// some take long, such as a factorisation for the initial shape of a large gear.
 void Watchdog::look_at_interruption(double now) {
-  if (!to_finish_.empty()) terminal_.say("netloft: " + std::exchange(to_finish_, {}));
-  if (interrupted_at_ == 0) interrupted_at_ = now;
+  if (interrupted_at_ == 0) {
+    interrupted_at_ = now;
+    interrupted_at_cpu_ = cpu_seconds();
+  }
+  if (abandon_ && cpu_seconds() - interrupted_at_cpu_ > kGraceOfWriting) abandon_result();
   const std::string under_way = terminal_.reading().under_way();
   if (!under_way.empty() && now - interrupted_at_ > kGraceOfReading)
     end(true, under_way + " did not end after the interruption");
+}
+
+void Watchdog::abandon_result() {
+  abandon_();
+  const std::string said =
+      "interrupted; the result is not written, which would have taken longer than a second";
+  terminal_.say("netloft: " + said);
+  if (terminal_.json()) print_line(error_json(said, kInterrupted));
+  std::fflush(stdout);
+  std::fflush(stderr);
+  _exit(kInterrupted);
 }
 
 /// Compares the calls of all threads with those at the last inspection.

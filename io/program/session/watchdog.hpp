@@ -37,9 +37,11 @@ class Watchdog {
 
   /// Sets the processor time that is allowed from now on [s].
   void allow(double seconds);
-  /// From now on, an interruption prints `sentence` and does not end the program, because the remaining work
-  /// is short and its result worth waiting for.
-  void let_finish(std::string sentence);
+  /// From now on the result is written, which may take the better part of a second of processor time after an
+  /// interruption. If it takes longer, calls `abandon` in the thread of the watchdog and ends the program.
+  void begin_writing(std::function<void()> abandon);
+  /// Ends this: the result is complete, and an interruption no longer prevents that it gets its name.
+  void end_writing();
 
  private:
   struct Seen {
@@ -51,14 +53,15 @@ class Watchdog {
   bool is_over(bool& interrupted);
   void look(bool interrupted, double now);
   void look_at_interruption(double now);
+  [[noreturn]] void abandon_result();
   [[noreturn]] void end(bool interrupted, const CallFrame& frame, double waited);
   [[noreturn]] void end(bool interrupted, const std::string& sentence);
   void look_at(Seen& seen, bool interrupted, double now);
 
   Terminal& terminal_;
   std::function<int(const Overdue&)> last_act_;
-  double interrupted_at_ = 0;  // [s]; 0: not interrupted
-  std::string to_finish_;      // the sentence of let_finish(); empty: there is none, or it has been said
+  double interrupted_at_ = 0, interrupted_at_cpu_ = 0;  // [s], of processor time; 0: not interrupted
+  std::function<void()> abandon_;                       // empty: no result is being written
   double deadline_ = std::numeric_limits<double>::infinity();
   double over_since_ = 0;
   std::vector<Seen> seen_;

@@ -189,7 +189,6 @@ void write_result(formats::ResultFile& file, const scenes::LoadedScene& loaded, 
   write_forces(tree, result);
   if (const auto memory = assembler.memory(); !memory.empty())
     tree.write_reals("/netloft/memory", memory, "1", "state of the elements, one after another: friction");
-  file.finish_as(result.path);
 }
 
 }  // namespace netloft::results

@@ -36,8 +36,8 @@ void write_ending(formats::Tree& tree, const Result& result);
 /// if the result that is there has a better outcome, so that a worse result never replaces a better one.
 std::filesystem::path name_beside_better(const std::filesystem::path& wanted, const std::string& outcome);
 
-/// Writes a static result with its shapes into `file` (layout: io/formats/hdf5/LAYOUT.md) and closes it as
-/// `result.path`.
+/// Writes a static result with its shapes into `file` (layout: io/formats/hdf5/LAYOUT.md), which is then
+/// complete but still has the name of a file that grows.
 void write_result(formats::ResultFile& file, const scenes::LoadedScene& loaded, Assembler& assembler,
                   const SolvedShapes& shapes, const Result& result);
 

@@ -13,6 +13,7 @@ from program import SOURCE, InFreshFolder, write_many_parts
 PANEL = str(SOURCE / "gear-library/scenes/dead-weight-panel.toml")
 AT_SEA = str(SOURCE / "gear-library/scenes/gov-like-67m.toml")
 NEVER = ["--set", "parts.net.cells=[200,200]", "--set", "analysis.tolerance=1e-16"]
+FULL_DISK = os.environ.get("NETLOFT_FULL_DISK", "")
 KEPT = ("kept.csv", "kept.svg", "kept.html")
 VARIABLE = '[variables.density]\nkey = "parts.net.twine.density"\nrange = ["1000 kg/m3", "1300 kg/m3"]\n'
 
@@ -111,6 +112,39 @@ class Interrupted(InFreshFolder):
         _, err = process.communicate(timeout=100)
         self.assertEqual(process.returncode, 130, err)
         self.assertIn(b"netloft: interrupted; 1 of 1 item left; `netloft study run s.study` computes them", err)
+
+    def run_with(self, **faults):
+        """A run of the panel over an earlier result, with faults of tests/support/full_disk."""
+        return self.netloft("run", PANEL, "-o", "p.hdf", "--json", environment=self.environment(
+            LD_PRELOAD=FULL_DISK, **{f"NETLOFT_{name}": str(value) for name, value in faults.items()}))
+
+    def deeds_of_a_run(self):
+        self.assertEqual(self.run_with(FAIL_WRITE=0, COUNT_FILE=self.folder / "count").code, 0)
+        count = int((self.folder / "count").read_text().split()[1])
+        (self.folder / "count").unlink()
+        return count
+
+    @unittest.skipUnless(FULL_DISK, "needs tests/support/full_disk")
+    def test_a_result_that_takes_long_to_write_is_left_out(self):
+        deeds = self.deeds_of_a_run()
+        before = self.files()
+        for number in (signal.SIGINT, signal.SIGTERM):
+            ended = self.run_with(SIGNAL_AT=deeds // 2, SIGNAL=int(number), SLOW_WRITES=200)
+            self.assertEqual(ended.code, 130, ended.err)
+            self.assertEqual(ended.json()["status"], "interrupted")
+            self.assertIn("netloft: interrupted; the result is not written", ended.err)
+            self.assertEqual(self.files(), before)
+
+    @unittest.skipUnless(FULL_DISK, "needs tests/support/full_disk")
+    def test_a_result_that_is_nearly_written_is_kept(self):
+        deeds = self.deeds_of_a_run()
+        earlier = self.files()["p.hdf"]
+        for at in (deeds // 2, deeds - 3):
+            ended = self.run_with(SIGNAL_AT=at, SIGNAL=int(signal.SIGINT))
+            self.assertEqual(ended.code, 0, ended.err)
+            self.assertEqual(self.files()["p.hdf~"], earlier)
+            earlier = self.files()["p.hdf"]
+            self.assertEqual(self.netloft("report", "p.hdf").code, 0)
 
     def stopped_at(self, deed, number, *words):
         """What a command said that got a signal at this deed; it hears that within a second of its own time."""
