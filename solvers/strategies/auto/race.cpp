@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace netloft::automatic {
@@ -68,20 +69,17 @@ Race::Race(Search& search, const Options& options)
 
 Stage Race::run() {
   for (const Attempt& attempt : attempts_for(search_, options_)) runners_.push_back({attempt});
-  const auto is_out = [](const Runner& r) { return r.fate == Fate::out; };
-  for (double slice = options_.slice; !is_decided() && !std::all_of(runners_.begin(), runners_.end(), is_out);
-       slice *= kGrowth)
-    run_round(slice);
+  for (double slice = options_.slice; !is_decided() && !runners_.empty(); slice *= kGrowth) run_round(slice);
   return best_;
 }
 
 void Race::run_round(double slice) {
   for (Runner& runner : runners_) {
     if (is_decided()) return;
-    if (runner.fate == Fate::out) continue;
     run_slice(runner, slice);
     if (runner.fate == Fate::again_at_once && !is_decided()) run_slice(runner, kGrowth * slice);
   }
+  std::erase_if(runners_, [](const Runner& runner) { return runner.fate == Fate::out; });
 }
 
 bool Race::is_decided() const { return best_.has_converged() || budget_.is_used_up(); }
@@ -102,28 +100,45 @@ void Race::run_slice(Runner& runner, double slice) {
 }
 
 /// Moves off an unstable equilibrium to one side and, if that does not converge, to the other side. If this
-/// leads to a new unstable equilibrium, both sides of the new one are tried instead. An equilibrium with
-/// flutter is not left, because the motion comes back to it from either side.
-Stage Race::off_saddle(Stage saddle, const Budget& budget) {
+/// leads to an unstable equilibrium that was not met before in this race, both sides of that one are tried
+/// instead. An equilibrium with flutter is not left, because the motion comes back to it from either side.
+Stage Race::off_saddle(Stage stage, const Budget& budget) {
+  while (stage.ending == Ending::unstable && !stage.flutters()) {
+    const std::size_t at = find_saddle(std::move(stage));
+    std::optional<Stage> next = leave(at, budget);
+    if (!next) return saddles_[at].stage;
+    stage = std::move(*next);
+  }
+  return stage;
+}
+
+/// Index of an unstable equilibrium among those that this race has met; a new one is added.
+std::size_t Race::find_saddle(Stage stage) {
+  const auto found = std::find_if(saddles_.begin(), saddles_.end(), [&](const Saddle& known) {
+    return is_one_place(search_, known.stage.u, stage.u);
+  });
+  if (found != saddles_.end()) return static_cast<std::size_t>(found - saddles_.begin());
+  keep_better(stage);
+  saddles_.push_back({std::move(stage)});
+  return saddles_.size() - 1;
+}
+
+/// Solves from the sides of a saddle that have not been tried to their end. Returns the first equilibrium
+/// that was not met before, or nothing.
+std::optional<Stage> Race::leave(std::size_t at, const Budget& budget) {
   const auto ask = [&] { return Ask{.name = "off an unstable equilibrium", .work = budget.left()}; };
-  std::vector<Displacements> met{saddle.u};
-  for (int side = 0; side < 2 && saddle.ending == Ending::unstable && !saddle.flutters(); ++side) {
-    if (budget.is_used_up()) break;
-    const Displacements start = beside(search_, saddle, ask(), side);
+  for (int side = 0; side < 2 && !budget.is_used_up(); ++side) {
+    if (saddles_[at].is_tried[side]) continue;
+    const Displacements start = beside(search_, saddles_[at].stage, ask(), side);
     if (budget.is_used_up()) break;
     Stage next = search_.call("direct", "", ask(), start);
+    saddles_[at].is_tried[side] = !next.was_cut_off();
     if (next.has_converged()) return next;
-    const bool is_another = next.ending == Ending::unstable &&
-                            std::none_of(met.begin(), met.end(), [&](const Displacements& one) {
-                              return is_one_place(search_, one, next.u);
-                            });
-    if (is_another) {
-      saddle = std::move(next);
-      met.push_back(saddle.u);
-      side = -1;
-    }
+    if (next.ending != Ending::unstable) continue;
+    const std::size_t met = saddles_.size();
+    if (next.flutters() || find_saddle(next) == met) return next;
   }
-  return saddle;
+  return {};
 }
 
 /// Solves again with compensated positions if the residual is below the rounding of the positions. The digits
@@ -138,14 +153,16 @@ Stage Race::with_compensated_positions(Stage stage) {
   return next.has_converged() && next.residual <= stage.residual ? std::move(next) : std::move(stage);
 }
 
-/// Keeps the better of two stages at an equilibrium: a converged one before an unstable one, then the better
-/// balanced one.
-void Race::keep_better(Stage stage) {
+/// Keeps the better of two stages at an equilibrium: a converged one before an unstable one; of two unstable
+/// ones, one about which the gear swings before one that it leaves, then that of slower growth, then the
+/// better balanced one.
+void Race::keep_better(const Stage& stage) {
   if (!stage.is_stationary()) return;
-  const bool is_better = stage.has_converged() != best_.has_converged()
-                             ? stage.has_converged()
-                             : !best_.is_stationary() || stage.imbalance() < best_.imbalance();
-  if (is_better) best_ = std::move(stage);
+  const auto rank = [](const Stage& one) {
+    return std::tuple(!one.is_stationary(), !one.has_converged(), !one.flutters(), one.growth_rate,
+                      one.imbalance());
+  };
+  if (rank(stage) < rank(best_)) best_ = stage;
 }
 
 }  // namespace netloft::automatic

@@ -3,6 +3,8 @@
 #include "solvers/strategies/auto/attempts.hpp"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <vector>
 
 namespace netloft::automatic {
@@ -39,8 +41,8 @@ class Race {
  public:
   Race(Search& search, const Options& options);
 
-  /// Returns the first stage that converged, otherwise the best balanced unstable equilibrium, otherwise an
-  /// empty stage.
+  /// Returns the first stage that converged, otherwise the best unstable equilibrium (keep_better), otherwise
+  /// an empty stage.
   Stage run();
 
  private:
@@ -51,11 +53,19 @@ class Race {
     Fate fate = Fate::again;
   };
 
+  /// An unstable equilibrium, and which of its two sides have led to an end that more work does not change.
+  struct Saddle {
+    Stage stage;
+    std::array<bool, 2> is_tried{};
+  };
+
   void run_round(double slice);
   void run_slice(Runner& runner, double slice);
-  Stage off_saddle(Stage saddle, const Budget& budget);
+  Stage off_saddle(Stage stage, const Budget& budget);
+  std::size_t find_saddle(Stage stage);
+  std::optional<Stage> leave(std::size_t at, const Budget& budget);
   Stage with_compensated_positions(Stage stage);
-  void keep_better(Stage stage);
+  void keep_better(const Stage& stage);
   bool is_decided() const;
 
   Search& search_;
@@ -63,7 +73,8 @@ class Race {
   Budget budget_;
   Displacements start_;
   std::vector<Runner> runners_;
-  Stage best_;  // the best equilibrium so far
+  std::vector<Saddle> saddles_;  // all that were met, so that none is left twice
+  Stage best_;                   // the best equilibrium so far
 };
 
 }  // namespace netloft::automatic

@@ -204,6 +204,30 @@ TEST(Auto, MovesOffOncePerThingThatGrows) {
   }
 }
 
+// The bar bears compression only: it is unstable, and where it topples, nothing holds its load.
+TEST(Auto, LeavesAnUnstableEquilibriumOnceToEachSide) {
+  plugins();
+  Scene scene = toppling_bar(0);
+  scene.parts.front().parameters["rope.EA"] = 1e-6;
+  const Solution s = find(scene).solution;
+  EXPECT_EQ(s.status, SolveStatus::unstable) << s.reason << stages_of(s);
+  const auto left = std::count_if(s.cost.stages.begin(), s.cost.stages.end(), [](const StageRecord& stage) {
+    return stage.name == "off an unstable equilibrium";
+  });
+  EXPECT_EQ(left, 2) << stages_of(s);
+}
+
+// The second bar topples faster than the first, and then hangs: the growth that is left is slower. The first
+// bears compression only, so that it finds no stable place.
+TEST(Auto, ReportsTheUnstableEquilibriumThatGrowsMostSlowly) {
+  plugins();
+  Scene scene = two_toppling_bars(20);
+  scene.parts.front().parameters["rope.EA"] = 1e-6;
+  const Solution s = find(scene, {{"without", std::string("tension-stages")}}).solution;
+  EXPECT_EQ(s.status, SolveStatus::unstable) << s.reason << stages_of(s);
+  EXPECT_NEAR(*std::min_element(s.x.begin(), s.x.end()), -1.2, 1e-6) << stages_of(s);
+}
+
 TEST(Auto, SaysOfWhatGoesRoundAndRoundThatItDoesNotSettle) {
   plugins();
   const Solution s = find(whirling_bar()).solution;
