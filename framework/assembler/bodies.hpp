@@ -4,7 +4,8 @@
 
 namespace netloft {
 
-/// Velocities and accelerations over all dofs (null at rest), and the factors of a matrix cu ∂r/∂x + cv ∂r/∂v
+/// Velocities and accelerations over all dofs (nullptr at rest), and the factors of a matrix cu ∂r/∂x + cv
+/// ∂r/∂v
 /// + ca ∂r/∂a.
 struct BodyMotion {
   const double *v = nullptr, *a = nullptr;
@@ -12,7 +13,7 @@ struct BodyMotion {
 };
 
 /// Matrix values of one evaluation, and the matrices C (`damping`) and M (`mass`) of (4) below, summed over
-/// the elements at carried nodes. If C and M are null, (4) is left out.
+/// the elements at carried nodes. If C and M are nullptr, (4) is left out.
 struct BodyMatrices {
   double* values = nullptr;
   const double *damping = nullptr, *mass = nullptr;
@@ -47,7 +48,7 @@ class Bodies {
   void move(std::span<const double> x, std::span<double> v, std::span<double> a) const;
   /// Passes the forces on carried nodes on to their bodies by (2), and the matrix values of an evaluation at
   /// x by (3) and (4). The geometric term of (3) is added only if `exact`. `residual` and the values may be
-  /// null.
+  /// nullptr.
   void hand_on(std::span<const double> x, const BodyMotion& motion, double* residual,
                const BodyMatrices& matrices, bool exact);
   /// Replaces the rotation block A of each body by tr(A) I, an upper bound of A (5), in the values of a

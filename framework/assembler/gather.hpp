@@ -55,7 +55,7 @@ class Gatherer {
 
   SceneWater water_;
   Current current_;
-  std::shared_ptr<const WaterField> waves_;  // null in statics and without waves
+  std::shared_ptr<const WaterField> waves_;  // nullptr in statics and without waves
   std::array<double, 3> ground_;             // [m/s]
   SeaBed bed_;
   bool ground_passes_, has_rates_;

@@ -94,7 +94,7 @@ Correction correct(const MemberOfStep& step, const Chord& w, const StepEnds& end
 }
 
 /// Adds the block of corners (p, q) to the tangent of an element, which is either `square` or `triangle`
-/// (packed); the other pointer is null.
+/// (packed); the other pointer is nullptr.
 void add_slope(std::size_t p, std::size_t q, std::size_t dofs, std::size_t lane, const Eigen::Matrix3d& block,
                double* square, double* triangle) {
   for (std::size_t r = 0; r < 3; ++r)

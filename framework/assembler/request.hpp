@@ -6,8 +6,8 @@ namespace netloft {
 
 enum class MatrixKind { none, exact, convex, metric };
 
-/// The motion of a scene during an evaluation: velocities and accelerations over all dofs (null at rest), the
-/// factors of the matrix cu ∂r/∂x + cv ∂r/∂v + ca ∂r/∂a, and the digits that rounding removes from the
+/// The motion of a scene during an evaluation: velocities and accelerations over all dofs (nullptr at rest),
+/// the factors of the matrix cu ∂r/∂x + cv ∂r/∂v + ca ∂r/∂a, and the digits that rounding removes from the
 /// positions, if they are known.
 struct Kinematics {
   double time = 0;                          // [s]
@@ -24,7 +24,7 @@ struct StepEnds {
   double damping = 0;  // damping χ of members, (3) of mean_of_members.hpp
 };
 
-/// The sums that an evaluation computes. A sum that is null or `none` is not computed.
+/// The sums that an evaluation computes. A sum that is nullptr or `none` is not computed.
 struct Request {
   double* energy = nullptr;        // the energy, one number [J]
   bool conservative_only = false;  // leave out forces without an energy; the residual is then the gradient
@@ -34,7 +34,7 @@ struct Request {
   MatrixKind matrix = MatrixKind::none;
   double* values = nullptr;  // values of the matrix, Assembler::value_slots() long [N/m]
   Kinematics motion = {};
-  const StepEnds* between = nullptr;  // if not null, compute mean forces of this step, with x in its middle
+  const StepEnds* between = nullptr;  // compute mean forces of this step, x in its middle; nullptr: do not
 };
 
 }  // namespace netloft

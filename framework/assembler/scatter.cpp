@@ -145,7 +145,7 @@ NETLOFT_INLINE void add_pair(const std::int32_t* to, std::size_t count, const En
       values[to[lane] + static_cast<std::ptrdiff_t>(i)] += entries.one(i, lane);
 }
 
-/// Tangents of all elements of a tile; null if there are none.
+/// Tangents of all elements of a tile; nullptr if there are none.
 struct Tangents {
   const double *triangle, *square;
 };

@@ -11,7 +11,7 @@ namespace netloft {
 /// Adds the forces of the tile without changing them, so that further terms can add to them.
 void scatter_gradient(const Tiling& tiling, std::size_t tile, TileSums& sums, double* gradient);
 
-/// Adds forces and tangents. The arrays of the tile may be overwritten. A null argument is left out.
+/// Adds forces and tangents. The arrays of the tile may be overwritten. A nullptr argument is left out.
 /// `is_symmetric`: the matrix holds its lower triangle only.
 void scatter(const Tiling& tiling, std::size_t tile, bool is_symmetric, TileSums& sums, double* residual,
              double* values);

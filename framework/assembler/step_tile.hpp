@@ -35,7 +35,7 @@ struct TileOfStep {
 
   std::size_t dofs() const { return static_cast<std::size_t>(family.type().dofs()); }
   bool has_slope() const { return request.values && request.matrix != MatrixKind::metric; }
-  /// Array of forces to add to; null if the request has no forces.
+  /// Array of forces to add to; nullptr if the request has no forces.
   double* open_force() const { return request.residual ? sums.force.open(dofs(), tile.count) : nullptr; }
   double* open_slope() const { return sums.open_tangent(symmetric, dofs(), tile.count); }
 };

@@ -20,8 +20,8 @@ struct StepProblem {
   MovingState* state;            // receives positions and rates
   double least_load;             // lower bound of the load to which tolerances are relative [N]
   /// The two ends of the step, for schemes in which F is the mean force over the step
-  /// (netloft_motion::solve_between) and u its midpoint; `after` is updated with u. If null, F is the force
-  /// at u.
+  /// (netloft_motion::solve_between) and u its midpoint; `after` is updated with u. If nullptr, F is the
+  /// force at u.
   struct Ends {
     StepEnds ends;
     double begin = 0, end = 0;                 // [s]

@@ -35,7 +35,7 @@ class Factors {
 
   MakeFactorisation make_;
   Statistics& statistics_;
-  std::array<std::unique_ptr<Factorisation>, 3> by_class_;  // null until first used
+  std::array<std::unique_ptr<Factorisation>, 3> by_class_;  // nullptr until first used
   Factorisation* last_ = nullptr;
   FactorResult result_;
 };

@@ -17,7 +17,7 @@ enum class Stop { none, arrived, iterations, time, work, interrupted, ran_away, 
 struct Judging {
   bool examine_growth = true;       // examine whether a small disturbance grows, if forces have no energy
   bool accept_oscillation = false;  // accept an equilibrium from which an oscillation grows
-  JudgedPoint* known = nullptr;     // the last point whose stability was decided, for reuse; null: no reuse
+  JudgedPoint* known = nullptr;  // the last point whose stability was decided, for reuse; nullptr: no reuse
 };
 
 /// Limits of one solve.
@@ -30,7 +30,7 @@ struct Limits {
   // Upper limit of the path: the sum of the lengths of all steps, divided by the gear's size. A gear whose
   // path exceeds this limit does not come to rest.
   double path = std::numeric_limits<double>::infinity();
-  const WorkModel* model = nullptr;                       // null: work is not limited
+  const WorkModel* model = nullptr;                       // nullptr: work is not limited
   double work = std::numeric_limits<double>::infinity();  // budget, in units of the model
   Judging judging = {};                                   // how the final point is assessed
 

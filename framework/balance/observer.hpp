@@ -24,7 +24,7 @@ struct KeptPoint {
 /// Receives a report of every accepted point while a solver works.
 struct Observer {
   std::function<void(const IterationRecord&)> on_iteration = {};
-  KeptPoint* kept = nullptr;  // null: no point is stored
+  KeptPoint* kept = nullptr;  // nullptr: no point is stored
 };
 
 }  // namespace netloft

@@ -52,7 +52,7 @@ class Scales {
  private:
   Assembler& assembler_;
   double element_size_ = 1, gear_size_ = 1, dead_load_ = 0;
-  std::optional<bool> is_driven_;  // empty before the first call
+  std::optional<bool> is_driven_;  // nullopt before the first call
 };
 
 }  // namespace netloft

@@ -46,7 +46,7 @@ struct Bench {
   Sampler sampler;
   Threads threads_before;
   Sample sample;
-  std::unique_ptr<Specimen> specimen;  // null if refused or failed, see `refusal` and `escape`
+  std::unique_ptr<Specimen> specimen;  // nullptr if refused or failed, see `refusal` and `escape`
   std::vector<States> tiles;
   std::string refusal;  // why the plugin refused all sampled elements
   std::string escape;   // the exception that the plugin threw

@@ -64,7 +64,7 @@ ConformanceReport check_strategy(const StrategyType& type, const ConformanceOpti
 /// Checks the file of a plugin.
 ConformanceReport check_file(const std::filesystem::path& file);
 
-/// Name of the check that is running, for the report of a crash; null between checks.
+/// Name of the check that is running, for the report of a crash; nullptr between checks.
 const char* check_under_way();
 
 /// Names of all checks in their order: of elements, laws, solvers, integrators and strategies.

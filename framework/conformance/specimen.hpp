@@ -26,7 +26,7 @@ struct Sample {
 };
 
 /// The states of up to 64 elements, in arrays [dof][64] like those of a tile. Empty arrays are passed as
-/// null.
+/// nullptr.
 struct States {
   std::uint32_t first = 0, count = 0;
   std::vector<double> x, v, a, current, current_dz;
@@ -85,7 +85,7 @@ class Specimen {
   /// Evaluates a term, and adds to the arrays of `answer`, which must be large enough.
   void evaluate(const netloft_term& term, const States& states, std::uint32_t want, Factors factors,
                 Answer& answer) const;
-  /// Evaluates a term, and adds to arrays of the caller; unused ones are passed as null.
+  /// Evaluates a term, and adds to arrays of the caller; unused ones are passed as nullptr.
   Answer evaluate_into(const netloft_term& term, const States& states, std::uint32_t want, Factors factors,
                        double* energy, double* force, double* matrix, double* memory) const;
   /// Evaluates the outputs of the elements, [output][64]. They are written, not added.

@@ -17,7 +17,7 @@ struct LaneCounts {
 /// the water, the direction t, the solidity S, and h = D for twines, 1 for screens:
 ///   F = ½ ρ h (1 + S) [‖W‖ W + 0.5 (W·t) ‖W‖ t]
 /// It is twice differentiable except at W = 0, passive, and uses every input. `lanes` counts lanes unless it
-/// is null, and must outlive the law.
+/// is nullptr, and must outlive the law.
 netloft_bound_law test_law(std::uint32_t kind, LaneCounts* lanes = nullptr);
 
 }  // namespace netloft::conformance

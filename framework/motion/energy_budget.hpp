@@ -36,7 +36,8 @@ class EnergyBudget {
 
   /// Begins the budget at a state. Returns false if an element failed, which Assembler::fault describes.
   bool begin(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a);
-  /// Adds a step that ends at this state. `mean` has the mean forces of the step; null: the scheme used none.
+  /// Adds a step that ends at this state. `mean` has the mean forces of the step; nullptr: the scheme used
+  /// none.
   bool advance(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a,
                const MeanStep* mean = nullptr);
   /// Undoes the last `advance`.

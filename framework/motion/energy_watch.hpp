@@ -40,9 +40,9 @@ class EnergyWatch {
   /// Whether the motion contains energy that nothing supplied.
   bool is_lost(bool at_the_end) const { return settings_.judged && judge_.is_lost(at_the_end); }
   std::string sentence() const { return judge_.sentence(); }
-  /// The budget; null if none is kept.
+  /// The budget; nullptr if none is kept.
   const EnergyBudget* budget() const { return settings_.budget ? &budget_ : nullptr; }
-  /// The judge of all steps so far; null if no budget is kept.
+  /// The judge of all steps so far; nullptr if no budget is kept.
   const EnergyJudge* judge() const { return settings_.budget ? &judge_ : nullptr; }
 
  private:

@@ -423,7 +423,8 @@ class March {
   StepControl control_;
   EnergyWatch energy_;
   const Statistics earlier_;  // cost before this march was interrupted, if it was
-  // next_: end of the attempted step; after its acceptance, the beginning of that step.
+  // state_ is the end of the last accepted step, next_ the end of the attempted step. Accepting a step swaps
+  // the two, so that next_ is then the beginning of the accepted step.
   MarchState state_, next_;
   ShownState shown_;
   Winches winches_;

@@ -39,11 +39,11 @@ struct Snapshot {
   std::span<const double> u;
   std::span<const double> x, v;  // over all dofs: positions [m], velocities [m/s]
   ForceMoment forces;            // forces at t if a step ends at t, else at the end of the step around t
-  // Energies at the end of the last step if outputs are dense; null: no budget is kept.
+  // Energies at the end of the last step if outputs are dense; nullptr if no budget is kept.
   const EnergyBudget* budget;
-  const MarchState* state;  // state from which a march can continue; null: continue from an earlier snapshot
+  const MarchState* state;  // state from which a march can continue; nullptr: use an earlier snapshot
   std::span<const WinchMoment> winches = {};
-  const EnergyJudge* judge = nullptr;  // judges all steps so far; null if no budget is kept
+  const EnergyJudge* judge = nullptr;  // judges all steps so far; nullptr if no budget is kept
 };
 
 /// Report of an accepted step.
@@ -72,8 +72,8 @@ struct MarchWatch {
   std::function<bool(const StepRecord&, std::span<const double> u)> on_step;  // true: stop the march
 };
 
-/// Integrates in time from `from`, or from the start at rest if `from` is null. Steps end at outputs (unless
-/// outputs are dense) and at times at which the rate of a guide, a current or a table in time jumps.
+/// Integrates in time from `from`, or from the start at rest if `from` is nullptr. Steps end at outputs
+/// (unless outputs are dense) and at times at which the rate of a guide, a current or a table in time jumps.
 /// step_control.hpp determines step lengths, energy_watch.hpp examines the energy of steps. With `check`, the
 /// host integrates a second time to estimate the error of the path by (1) of achieved_accuracy.hpp; this adds
 /// half of the cost if the second march has steps twice as long. A march with energy that nothing supplied

@@ -6,7 +6,7 @@
 
 namespace netloft {
 
-/// The real number that is given under this name, or null.
+/// The real number that is given under this name, or nullptr.
 inline const double* find_number(const Values& values, const std::string& name) {
   const auto at = values.find(name);
   return at == values.end() ? nullptr : std::get_if<double>(&at->second);

@@ -22,7 +22,7 @@ using Samples = std::vector<std::vector<double>>;
 using Value = std::variant<double, std::int64_t, bool, std::string, Samples>;
 using Values = std::map<std::string, Value>;
 
-/// Returns a sentence that describes what is wrong with a value; empty if it is valid.
+/// Returns a sentence that describes what is wrong with a value; nullopt if it is valid.
 std::optional<std::string> fault_of(const netloft_parameter& parameter, const Value& value);
 
 /// The allowed values in words: "[0, 1e+09] N", "one of classic, robust", "true or false".

@@ -9,7 +9,7 @@ namespace netloft {
 /// Largest number up to which every whole number is a double, 2^53.
 inline constexpr double kMostWhole = 0x1p53;
 
-/// Returns the value as a whole number, or nothing if it is not whole or exceeds kMostWhole.
+/// Returns the value as a whole number, or nullopt if it is not whole or exceeds kMostWhole.
 inline std::optional<std::int64_t> whole_number(double value) {
   if (!(std::abs(value) <= kMostWhole) || value != std::trunc(value)) return {};
   return static_cast<std::int64_t>(value);

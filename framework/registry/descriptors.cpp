@@ -261,7 +261,7 @@ void read_offers(ElementType& e, Faults& faults) {
 }
 
 /// Reads the list of inputs of an element. An input of an unknown extension keeps its place in the list, and
-/// tiles have null there.
+/// tiles have nullptr there.
 void read_inputs(ElementType& e) {
   for (auto id = e.element.inputs; id && *id; ++id) e.inputs.push_back(find_extension_input(*id));
 }

@@ -73,7 +73,7 @@ struct ElementType {
   std::vector<netloft_global> globals;
   netloft_element_members members{};   // all zeros: the element has no members
   std::uint32_t state_width = 0;       // numbers that each element remembers
-  const char* rides_on = nullptr;      // element on whose pairs the host creates this one; null: users do
+  const char* rides_on = nullptr;      // element on whose pairs the host creates this one; nullptr: users do
   std::vector<ExtensionInput> inputs;  // inputs of its tiles, in the order of its list
   const PluginOrigin* origin = nullptr;
 

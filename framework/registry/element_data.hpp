@@ -44,10 +44,10 @@ inline constexpr HostDatum kArm{
 
 /// The data that elements on a stencil may declare.
 std::span<const HostDatum> data_on(std::uint32_t stencil);
-/// Returns the datum with this name, or null if the host provides none; the table of a part must then give
+/// Returns the datum with this name, or nullptr if the host provides none; the table of a part must then give
 /// this datum.
 const HostDatum* find_datum_on(std::uint32_t stencil, std::string_view name);
-/// Returns the datum whose name is most similar to a misspelt one, or null if none is similar.
+/// Returns the datum whose name is most similar to a misspelt one, or nullptr if none is similar.
 const HostDatum* find_datum_meant(std::uint32_t stencil, std::string_view name);
 /// Names of the data that the host gives: "rest_length, parallel".
 std::string names_of_data_on(std::uint32_t stencil);
@@ -55,7 +55,7 @@ bool declares(const ElementType& type, const HostDatum& datum);
 
 /// Numbers of the elements of a part, by name of the datum: [element][width].
 using ElementData = std::map<std::string, std::vector<double>>;
-/// Returns the numbers of a datum, or null if there are none.
+/// Returns the numbers of a datum, or nullptr if there are none.
 const std::vector<double>* find_data(const ElementData& data, const HostDatum& datum);
 
 }  // namespace netloft

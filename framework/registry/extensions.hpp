@@ -20,7 +20,7 @@ enum class ExtensionInput { none, ground, waves, memory };
 
 /// Returns the input with this identifier, or `none` if this program does not know it.
 ExtensionInput find_extension_input(std::string_view id);
-/// Returns the identifier of the input that a trait of a term reads, or null if the trait reads none.
+/// Returns the identifier of the input that a trait of a term reads, or nullptr if the trait reads none.
 const char* input_of_trait(std::uint32_t trait);
 
 /// The data of extensions for one tile.

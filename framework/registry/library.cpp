@@ -96,7 +96,7 @@ void* open_guarded(const std::filesystem::path& file) {
   return handle;
 }
 
-/// A plugin that throws instead of describing itself is treated like one that returns null.
+/// A plugin that throws instead of describing itself is treated like one that returns nullptr.
 const netloft_plugin* described_by(void* symbol) {
   try {
     return reinterpret_cast<netloft_plugin_function>(symbol)();

@@ -17,7 +17,7 @@ struct CallFrame {
   enum class Kind : std::uint32_t { host, element, method };
   const char* type = nullptr;  // component, such as "rope/bar"
   const char* what = nullptr;  // its function: "term", "create", "solve"
-  const char* name = nullptr;  // name of the term; may be null
+  const char* name = nullptr;  // name of the term; may be nullptr
   Kind kind = Kind::host;
 };
 
@@ -45,7 +45,8 @@ class CallStack {
   CallFrame at(std::uint32_t i) const;
   /// The innermost call; a frame of the host if no plugin is running.
   CallFrame innermost() const;
-  /// The innermost call of a plugin, which may have called the host in turn; nothing if there is none.
+  /// The innermost call into a plugin that has not returned yet, even if the plugin is calling back into the
+  /// host; nullopt if no plugin is being called.
   std::optional<CallFrame> innermost_plugin() const;
 
  private:
@@ -61,7 +62,7 @@ class CallStack {
 /// The calls of this thread. The first use sets a separate stack for signal handlers. The reference remains
 /// valid; threads beyond the first 128 share one object and are not distinguished.
 CallStack& calls_of_this_thread() noexcept;
-/// The calls of this thread, for signal handlers; null if there were none.
+/// The calls of this thread, for signal handlers; nullptr if there were none.
 const CallStack* known_calls_of_this_thread() noexcept;
 /// The calls of every thread that has made some, beginning with the first such thread.
 std::vector<CallStack*> calls_of_all_threads();

@@ -140,7 +140,7 @@ struct Scene {
   std::string name;
   SceneWater water;
   Current current;
-  std::shared_ptr<const WaterField> waves = {};  // waves in a motion; null: none
+  std::shared_ptr<const WaterField> waves = {};  // waves in a motion; nullptr: none
   std::array<double, 3> ground = {};             // velocity at which the ground passes the gear [m/s]
   SeaBed bed = {};
   std::vector<double> positions;   // initial positions, 3 per node [m]

@@ -43,7 +43,7 @@ class KnownStages {
  public:
   explicit KnownStages(std::size_t most) : most_(most) {}
 
-  /// The stored result, or null if there is none.
+  /// The stored result, or nullptr if there is none.
   const KnownStage* find(const StageRequest& request);
   /// Stores a result without its cost and history. It replaces an earlier result of the same request.
   void keep(KnownStage stage);

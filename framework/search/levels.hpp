@@ -13,7 +13,7 @@ class Levels {
  public:
   virtual ~Levels() = default;
   /// Number of meshes, at least one. A level below this number may still be missing; `scene` then returns
-  /// null.
+  /// nullptr.
   virtual unsigned most() const = 0;
   /// The scene on a level; 0 is the original mesh. Null if the level does not exist.
   virtual const Scene* scene(unsigned level) = 0;

@@ -26,8 +26,8 @@ class SearchHost {
   Limits limits_of(const netloft_stage& stage, const VariantProblem& variant_problem);
   /// Observer of a stage; it stores points of the original scene only.
   Observer observer_of(const netloft_stage& stage) const;
-  /// The stored result of a request, or null. Using a stored result costs one evaluation of work; otherwise a
-  /// strategy could repeat one request forever.
+  /// The stored result of a request, or nullptr. Using a stored result costs one evaluation of work;
+  /// otherwise a strategy could repeat one request forever.
   const KnownStage* find_known(const StageRequest& request);
   void keep_known(KnownStage stage);
   /// Solves `stage`, whose variant is relative to the original scene, and stores its record. A known stage is

@@ -27,7 +27,7 @@ struct VariantSource {
   const Scene* scene = nullptr;
   Assembler* assembler = nullptr;
   Registry* registry = nullptr;
-  Levels* levels = nullptr;  // null: no coarser meshes
+  Levels* levels = nullptr;  // nullptr: no coarser meshes
   MakeFactorisation make;
   TangentChoice tangent = TangentChoice::exact;
   int threads = 1;
@@ -40,7 +40,7 @@ class VariantProblems {
   explicit VariantProblems(VariantSource source);
 
   unsigned most_levels() const { return source_.levels ? source_.levels->most() : 1; }
-  /// The problem of a level of mesh; null if the level does not exist.
+  /// The problem of a level of mesh; nullptr if the level does not exist.
   std::shared_ptr<VariantProblem> find_level(unsigned level);
   /// The problem of a variant, whose level must exist. Throws SceneError if a plugin refuses the variant.
   std::shared_ptr<VariantProblem> at(const netloft_variant& variant);

@@ -23,7 +23,7 @@ std::vector<formats::Change> halved_cells(const scenes::LoadedScene& fine, Halve
 /// Positions of the nodes of scene `to` [m], 3 per node, interpolated from the positions `x` of scene `from`,
 /// which divides the same gear into other elements. Ropes are straight between nodes, and twines are straight
 /// within the triangles of a panel, so that a finer mesh has exactly the strain of the coarser one. Nodes on
-/// no rope or panel keep their initial positions. Empty if the scenes do not have the same parts.
+/// no rope or panel keep their initial positions. nullopt if the scenes do not have the same parts.
 std::optional<std::vector<double>> carried_over(const scenes::LoadedScene& from, const std::vector<double>& x,
                                                 const scenes::LoadedScene& to);
 

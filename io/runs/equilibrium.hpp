@@ -35,7 +35,7 @@ Solution find_start_of_motion(PreparedScene& scene, const Watch& watch);
 Solution assess_point(const PreparedScene& scene, std::span<const double> u, Assembler& assembler);
 
 /// The reason why the solver that the scene names cannot solve this scene, for example because the solver
-/// needs an energy; empty if it can.
+/// needs an energy; nullopt if the solver can.
 std::optional<std::string> why_unfit(PreparedScene& scene);
 
 /// The attempts that the strategy will make, in their order, one line with a reason for each.

@@ -8,7 +8,8 @@
 namespace netloft::runs {
 
 /// Integrates the motion of the scene in time as its analysis says, from the state `from`, or from the start
-/// of the scene if `from` is null. `work` limits the total work of all steps, in the unit of work_of_steps().
+/// of the scene if `from` is nullptr. `work` limits the total work of all steps, in the unit of
+/// work_of_steps().
 MarchResult march(PreparedScene& scene, const MarchWatch& outputs, const Watch& watch = {},
                   const MarchState* from = nullptr, double work = std::numeric_limits<double>::infinity());
 

@@ -28,7 +28,7 @@ class Meshes : public Levels {
   const scenes::LoadedScene& finest_;
   Registry& registry_;
   unsigned most_;
-  // Levels 1, 2, …; null: the level does not exist.
+  // Levels 1, 2, …; nullptr: the level does not exist.
   std::vector<std::unique_ptr<scenes::LoadedScene>> coarser_;
 };
 

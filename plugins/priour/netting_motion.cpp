@@ -45,7 +45,7 @@ void damp(const Triangle::Lanes& p, const double (&c)[3][kLanes], const DamperOf
 struct Accelerated {
   const double* a;
   double sign, ca;        // factor of the residual; of its derivative with respect to a
-  const double* density;  // null: density of the water
+  const double* density;  // nullptr: density of the water
 };
 
 /// The masses of a corner of every element: `across` is the mass and added mass for motion across the twines,

@@ -202,7 +202,7 @@ class CholmodFactorisation final : public Factorisation, public ForeseesMemory {
   OrderingMethod method_;
   IndexWidth width_;
   const SparsePattern* pattern_ = nullptr;
-  std::unique_ptr<CholmodFactors> factors_;  // null for a matrix without unknowns
+  std::unique_ptr<CholmodFactors> factors_;  // nullptr for a matrix without unknowns
   bool has_factor_ = false;
   std::string ordering_;
 };

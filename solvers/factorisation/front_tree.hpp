@@ -31,7 +31,7 @@ double flops_of(const Front& front);
 /// columns of a pair of nodes, whose slots are adjacent row by row.
 struct FrontEntries {
   std::uint32_t slot = 0;             // slot of the first entry
-  std::uint32_t target = 0;           // place of the first entry in the panels of its front
+  std::uint32_t target = 0;           // position in the panels of the front to which the first entry is added
   std::int32_t down = 0, across = 0;  // distance in the panels to the next row, and to the next column
   std::int32_t size = 1;              // number of rows and of columns
 };

@@ -41,7 +41,7 @@ class Fronts {
   std::span<double> values() { return values_; }
   std::span<double> by_place() { return by_place_; }
 
-  /// Eliminates a front with this thread alone if `workers` is null, else with all `workers`.
+  /// Eliminates a front with this thread alone if `workers` is nullptr, else with all `workers`.
   Elimination eliminate(std::size_t front, Workers* workers);
   /// forward() and backward() solve the part of L y = b, or of U x = y, that belongs to a front, in the
   /// vector by_place(). Call forward() for children before parents, backward() for parents before children.

@@ -26,7 +26,7 @@ struct Analysed {
 /// The factorisations that are kept and not in use.
 class Shelf {
  public:
-  /// Returns the factorisation of this class for the pattern, or null if there is none.
+  /// Returns the factorisation of this class for the pattern, or nullptr if there is none.
   std::unique_ptr<Analysed> take(MatrixClass kind, const SparsePattern& pattern) {
     const std::lock_guard lock(mutex_);
     std::unique_ptr<Analysed>& kept = kept_[static_cast<std::size_t>(kind)];

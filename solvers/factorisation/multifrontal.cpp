@@ -55,7 +55,7 @@ class MultifrontalFactorisation final : public Factorisation, public ForeseesMem
   const SparsePattern* pattern_ = nullptr;
   FrontTree tree_;
   int threads_;
-  std::unique_ptr<Workers> workers_;  // null: one thread
+  std::unique_ptr<Workers> workers_;  // nullptr: one thread
   FrontSchedule schedule_;
   std::vector<Elimination> ends_;  // results of the branches
   const MatrixKernels& matrix_kernels_ = matrix_kernels();

@@ -94,7 +94,7 @@ class MumpsFactorisation final : public Factorisation, public ForeseesMemory {
   bool symmetric_;
   OrderingMethod method_;
   MemoryPool pool_;
-  std::unique_ptr<MumpsInstance> mumps_;  // null for a matrix without unknowns
+  std::unique_ptr<MumpsInstance> mumps_;  // nullptr for a matrix without unknowns
   const SparsePattern* pattern_ = nullptr;
   std::vector<MUMPS_INT> row_, column_;  // rows and columns of the entries, counted from one
   std::vector<double> value_;            // values in the order of the entries

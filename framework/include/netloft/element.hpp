@@ -160,8 +160,8 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     offers_.template one<netloft_rider>(NETLOFT_EXT_PAIRS).rides_on = element;
   }
   /// Declares a number that all elements of a part share. It is an unknown if the parameter `needs` is not
-  /// zero or if `needs` is null; otherwise it keeps its initial value, `start`. These numbers are x, y, z of
-  /// the last node of State::x.
+  /// zero or if `needs` is nullptr; otherwise it keeps its initial value, `start`. These numbers are x, y, z
+  /// of the last node of State::x.
   void global(const char* name, const char* unit, const char* doc, const char* needs, Start start) {
     netloft_global g{};
     g.size = sizeof g;
@@ -213,7 +213,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     return static_cast<std::size_t>(reinterpret_cast<const char*>(&(object.*member)) -
                                     reinterpret_cast<const char*>(&object));
   }
-  /// The function of an output: one of these pointers; the other two are null.
+  /// The function of an output: one of these pointers; the other two are nullptr.
   struct OutputFunction {
     Output one;
     OutputWithWhole with_whole;
@@ -240,7 +240,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     lists_inputs_ = true;
   }
   /// Requires an extension. `take` reads the host's data for the extension when the elements are created;
-  /// `take` is null if no such data exist.
+  /// `take` is nullptr if no such data exist.
   void require(const char* id, void (*take)(Family<E>&, netloft_create&)) {
     for (const char* known : required_)
       if (std::strcmp(known, id) == 0) return;

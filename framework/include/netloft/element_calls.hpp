@@ -200,7 +200,7 @@ void scatter(const Local<Nodes>& local, bool symmetric, std::size_t lane, netlof
 }
 
 /// Reads the degrees of freedom of one element from a field [dof][64] as dual numbers. The derivative of each
-/// with respect to the unknown of the same index is `factor`, also if `field` is null and all values are
+/// with respect to the unknown of the same index is `factor`, also if `field` is nullptr and all values are
 /// zero.
 template <class T, int Nodes>
 Points<T, Nodes> read_dual(const double* field, std::size_t lane, double factor) {
@@ -391,7 +391,7 @@ int write_members(const void* self, double time, std::uint32_t first, std::uint3
   }
 }
 
-/// Data of an extension that the host gives to `create`; null if it gives none.
+/// Data of an extension that the host gives to `create`; nullptr if it gives none.
 template <class Given>
 const Given* given(const netloft_create& in, const char* id) {
   return in.extension ? static_cast<const Given*>(in.extension(in.host, id)) : nullptr;

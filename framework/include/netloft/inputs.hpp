@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Data of extensions for terms that are written as `tile`. Each function returns null if the scene has no
+// Data of extensions for terms that are written as `tile`. Each function returns nullptr if the scene has no
 // such data or if no term of the element has the trait. Included by element.hpp.
 #pragma once
 #include <netloft/ext/ground.h>

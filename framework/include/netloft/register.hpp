@@ -114,7 +114,7 @@ const void* offer_of(const char* id) noexcept {
   return plugin_of<Describe>().offer(id);
 }
 
-/// Returns the description of the plugin, which is made at the first call; null if this fails.
+/// Returns the description of the plugin, which is made at the first call; nullptr if this fails.
 template <void (*Describe)(Plugin&)>
 const netloft_plugin* describe_once(const char* name, const char* version, const char* doc) noexcept {
   try {

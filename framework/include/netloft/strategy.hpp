@@ -60,7 +60,7 @@ inline constexpr double kOnlyAStart = kMatters;
 struct Ask {
   const char* name = "";  // purpose of the stage in a few words, for the report
   Variant variant{};
-  const char* solver = nullptr;      // null: the solver of the analysis, with its parameters
+  const char* solver = nullptr;      // nullptr: the solver of the analysis, with its parameters
   const char* parameters = nullptr;  // such as "method=classic,damping=1"
   double tolerance = 0;              // 0: the tolerance of the analysis
   double work = 0;                   // budget; 0: all that is left

@@ -35,7 +35,7 @@ class ReadError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The contents of a file; nothing if it does not exist. Throws ReadError if it cannot be read, and for
+/// The contents of a file; nullopt if the file does not exist. Throws ReadError if it cannot be read, and for
 /// folders, pipes and devices, whose contents may never end.
 std::optional<std::string> read_whole(const std::filesystem::path& path);
 

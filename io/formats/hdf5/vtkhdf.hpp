@@ -72,7 +72,7 @@ class VtkHdf {
     std::string name;
     std::size_t rows;
     std::size_t columns;
-    const std::vector<bool>* stored;  // whether each state has a slot of its own; null: all states
+    const std::vector<bool>* stored;  // whether each state has a slot of its own; nullptr: all states
     std::size_t slots;
     Handle dataset;
     std::vector<double> block = {};

@@ -28,7 +28,7 @@ class TextRows {
   /// comments.
   TextRows(std::string_view text, int file, char comment = 0) : text_(text), file_(file), comment_(comment) {}
 
-  /// The next line without its end; nothing at the end of the text.
+  /// The next line without its line break; nullopt at the end of the text.
   std::optional<std::string_view> next_line();
   /// The words of the next line that is not blank; empty at the end of the text.
   std::vector<Word> next_row();

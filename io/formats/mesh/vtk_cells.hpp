@@ -23,7 +23,7 @@ struct VtkCells {
   std::map<std::string, Array> arrays;
   std::vector<std::string> names;  // names of regions
 
-  /// The numbers of a cell in an array; null if no such array has this number of components.
+  /// The numbers of a cell in an array; nullptr if no such array has this number of components.
   const double* numbers(const std::string& array, std::size_t components, std::size_t cell) const;
   /// The name of the region of a cell: "wing", "region-3", or `otherwise` if the cells have no array
   /// `region`.

@@ -15,7 +15,7 @@ struct DeepKey {
   int column = 1;
 };
 
-/// The first dotted key with more than kMostKeyParts parts; nothing if there is none.
+/// The first dotted key with more than kMostKeyParts parts; nullopt if there is none.
 std::optional<DeepKey> find_deep_key(std::string_view text);
 
 }  // namespace netloft::formats

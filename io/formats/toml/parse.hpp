@@ -11,7 +11,7 @@ namespace netloft::formats {
 /// Deepest nesting of tables and arrays. Deeper ones are refused, so that functions on the tree may recurse.
 constexpr int kDeepestValue = 64;
 
-/// Reads the table in `text`; `file` is the index of the text in `diagnostics`. Empty after an error.
+/// Reads the table in `text`; `file` is the index of the text in `diagnostics`. nullopt after an error.
 std::optional<Value> parse_toml(const std::string& text, int file, Diagnostics& diagnostics);
 
 }  // namespace netloft::formats

@@ -135,9 +135,9 @@ class TableReader {
 
   /// Whether the table has the key. Like every getter, it marks the key as known.
   bool has(std::string_view key);
-  /// The kind of a key's value, for keys that take a name or a table; nothing if the key is missing.
+  /// The kind of a key's value, for keys that take a name or a table; nullopt if the key is missing.
   std::optional<Kind> kind(std::string_view key);
-  /// The unprocessed value, for callers that interpret it themselves; null if the key is missing.
+  /// The unprocessed value, for callers that interpret it themselves; nullptr if the key is missing.
   const Value* raw(std::string_view key);
   /// All keys of the table in the file. Does not mark them as known.
   std::vector<std::string> keys() const;

@@ -16,7 +16,7 @@ namespace netloft::formats {
 /// The library UDUNITS receives only single words: its own grammar reads "10 5 m" as 50 m and "3 s since 5"
 /// as a date, and leaks memory at every syntax error.
 struct ParsedUnit {
-  std::optional<Unit> unit;  // empty if the text cannot be read
+  std::optional<Unit> unit;  // nullopt if the text cannot be read
   std::string unknown;       // the unknown word; empty after an error of grammar
 };
 

@@ -35,7 +35,7 @@ class UnitSystem {
   /// needed yet.
   const std::string& trouble() const { return trouble_; }
 
-  /// The unit of one word with its prefix, such as "mm". Nothing if UDUNITS does not know it, or if it is a
+  /// The unit of one word with its prefix, such as "mm". nullopt if UDUNITS does not know it, or if it is a
   /// logarithmic unit.
   std::optional<Unit> parse(const std::string& word) const;
 

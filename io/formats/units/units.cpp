@@ -156,8 +156,9 @@ std::string proposal(std::string unit, const std::vector<std::string>& candidate
   return near ? "did you mean " + in_quotes(*near) + "?" : "";
 }
 
-/// Refuses a unit that is not known. If the unit is a single word, proposals have the wanted dimension; a
-/// word in a product may have any dimension.
+/// Refuses a quantity because `word`, a part of its unit, is not known (empty: the unit cannot be divided
+/// into words). If the word is the whole unit, the hint proposes units of the wanted dimension; if it is a
+/// factor in a product, units of any dimension.
 Quantity refuse_unknown(std::string_view text, const std::string& unit, std::string word,
                         std::string_view si_unit) {
   if (word.empty())

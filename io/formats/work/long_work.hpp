@@ -28,7 +28,7 @@ class WorkFollower {
   virtual void end() noexcept = 0;
 };
 
-/// Sets the follower of all long work in this thread, and returns the previous one; null: no follower.
+/// Sets the follower of all long work in this thread, and returns the previous one; nullptr: no follower.
 WorkFollower* follow_work(WorkFollower* follower);
 
 /// Work that may take long, such as reading a scene, from its first step to the end of this object. Work

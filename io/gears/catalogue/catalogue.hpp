@@ -46,7 +46,7 @@ class Catalogue {
   /// diagnostics.
   void shift_files(int by);
 
-  /// The part of this name; null if no part of these kinds has the name.
+  /// The part of this name; nullptr if no part of these kinds has the name.
   const CataloguePart* find(const std::string& name, const std::vector<std::string>& kinds) const;
   /// The parts in the order in which they were read.
   const std::vector<CataloguePart>& parts() const { return parts_; }

@@ -12,7 +12,7 @@ namespace netloft::gears {
 /// = "pe-braided-4mm", diameter = "4.2 mm" }, where the other keys override those of the part.
 bool names_a_part(const formats::Value& said);
 
-/// The part of one of `kinds` that `said` names. If there is none, the result is null, and an error that
+/// The part of one of `kinds` that `said` names. If there is none, the result is nullptr, and an error that
 /// lists similar names is reported. `path` is the key of `said`, for messages.
 const CataloguePart* choose_part(const formats::Value& said, const std::vector<std::string>& kinds,
                                  const std::string& path, const Catalogue& catalogue,

@@ -22,19 +22,22 @@ struct Fineness {
   bool operator==(const Fineness&) const = default;
 };
 
-/// A panel in triangles. Its nodes have own numbers from 0, each of which refers to a node of the gear.
+/// A panel divided into triangles. Its nodes are numbered from 0; each of them is also a node of the gear.
 struct PanelMesh {
-  std::vector<std::uint32_t> nodes;           // own number -> gear node
-  std::vector<std::array<double, 2>> meshes;  // own number -> (U, V): meshes outwards and meshes aft
-  std::vector<std::uint32_t> triangles;       // 3 own nodes each, counter-clockwise seen from outside the net
-  std::map<std::string, std::vector<std::uint32_t>> sets;  // edges (in the outline's direction) and corners
+  // For each node of the panel: its number in the gear, and (U, V), counted in meshes outwards and aft.
+  std::vector<std::uint32_t> nodes;
+  std::vector<std::array<double, 2>> meshes;
+  std::vector<std::uint32_t> triangles;  // 3 nodes of the panel each, counter-clockwise seen from outside
+  // Nodes of the panel along its edges, in the direction of the outline, and at its corners.
+  std::map<std::string, std::vector<std::uint32_t>> sets;
 };
 
-/// A rope in bars, from its start to its end.
+/// A rope divided into bars, from its start to its end. Its nodes are numbered from 0, and node i ends bar
+/// i-1.
 struct RopeMesh {
-  std::vector<std::uint32_t> nodes;  // own number -> gear node; own node i ends bar i-1
-  std::vector<double> rest_lengths;  // unstretched lengths of the bars [m]; their sum is that of the rope
-  std::map<std::string, std::vector<std::uint32_t>> sets;  // start, middle (of a rope that has one), end
+  std::vector<std::uint32_t> nodes;  // for each node of the rope: its number in the gear
+  std::vector<double> rest_lengths;  // unstretched lengths of the bars [m]; their sum is the rope's length
+  std::map<std::string, std::vector<std::uint32_t>> sets;  // nodes at start, middle (if any) and end
 };
 
 /// The quality of the triangles in half-open netting, whose bars are at 30 degrees to the aft direction.

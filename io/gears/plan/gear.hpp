@@ -113,7 +113,7 @@ struct Gear {
   const GearRope* find_rope(const std::string& name) const;
   /// The name of an edge, such as "top-body.port-wing".
   std::string name_of(const EdgeRef& edge) const;
-  /// If a row of edges goes round the net, returns the last panel of the row; otherwise nothing. Such a row
+  /// If a row of edges goes round the net, returns the last panel of the row; otherwise nullopt. Such a row
   /// begins in the middle of its first panel, goes outwards, and comes back to the middle along its last
   /// panel (upper and lower panel before a tube, for example).
   std::optional<std::size_t> last_of_ring(const std::vector<EdgeRef>& row) const;

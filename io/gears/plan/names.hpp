@@ -33,7 +33,7 @@ EdgeSet find_edge(const NetPlan& plan, const std::string& name, const formats::P
 using HangingsByRope = std::multimap<std::string, const Hanging*>;
 HangingsByRope hangings_by_rope(const NetPlan& plan);
 
-/// The rope of this name. If there is none, the result is null and an error is reported.
+/// The rope of this name. If there is none, the result is nullptr and an error is reported.
 const Rope* find_rope_or_say(const NetPlan& plan, const std::string& name, const formats::Place& place,
                              const std::string& path, formats::Diagnostics& diagnostics);
 

@@ -33,14 +33,14 @@ struct MeshCount {
   bool operator==(const MeshCount&) const = default;
 };
 
-/// A stretch of a side that is cut at one rate, going aft.
+/// A stretch of one side of a panel, cut at one rate. A side has its cuts in the order from fore to aft.
 struct Cut {
   std::string name;
   std::string written;  // rate and direction as written, such as "5B1P in"
   CuttingRate rate;
   bool is_known = true;  // false: the text is not a rate, and `rate` is a guess
-  int goes = 0;          // +1 if the panel becomes wider going aft, -1 if narrower, 0 if straight
-  // Numbers of meshes in the plan; a cut without either takes the rest of the depth.
+  int goes = 0;          // +1 if the panel becomes wider towards its aft edge, -1 if narrower, 0 if straight
+  // Numbers of meshes as written in the plan; a cut that has neither takes the rest of the panel's depth.
   std::optional<double> said_across, said_deep;
   double across = 0, deep = 0;  // numbers of meshes, computed
   double selvedge = 0;          // meshes that are gathered into the seam along the cut

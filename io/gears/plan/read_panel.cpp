@@ -161,7 +161,7 @@ const std::vector<std::string>& orientations() {
 }
 
 /// Reads a catalogue entry such as `netting = "83-112-fore"`, which provides mesh and twine unless the plan
-/// states them; null if there is none.
+/// states them; nullptr if there is none.
 const CataloguePart* read_netting(formats::TableReader& table, const Catalogue& catalogue) {
   const formats::Value* said = table.raw("netting");
   return said ? choose_part(*said, {"netting"}, table.path("netting"), catalogue, table.diagnostics())

@@ -155,7 +155,7 @@ class StageReader {
 
   formats::TableReader table_;
   const Rope& warp_;
-  const WinchStage* before_;  // the stage of the previous table; null for the first table
+  const WinchStage* before_;  // the stage of the previous table; nullptr for the first table
   WinchStage stage_;
 };
 

@@ -17,7 +17,7 @@ namespace netloft::pictures {
 struct GearShape {
   const results::StoredShape* stored = nullptr;
   std::vector<Point3> nodes;
-  std::optional<results::StoredField> field;  // the field that is coloured; empty: colours show the parts
+  std::optional<results::StoredField> field;  // the field that is coloured; nullopt: colours show the parts
   results::FieldScales scales;
   std::vector<double> values;                     // values of the cells
   std::vector<std::array<double, 3>> at_corners;  // values at the corners of each triangle, for netting
@@ -53,7 +53,7 @@ GearShape shape_of(const results::StoredShape& stored, std::size_t state, const 
 /// with bridles, warps and ship.
 enum class Framing { netting, boards, all };
 
-/// The framing "netting", "boards" or "all"; empty for other names.
+/// The framing "netting", "boards" or "all"; nullopt for other names.
 std::optional<Framing> framing_called(const std::string& name);
 
 /// The points that must fit in the picture, including mirrored points of a half model. If there is no

@@ -11,7 +11,7 @@ namespace netloft::pictures {
 /// ahead and port.
 enum class View { side, top, front, oblique };
 
-/// The view "side", "top", "front" or "oblique"; empty for other names.
+/// The view "side", "top", "front" or "oblique"; nullopt for other names.
 std::optional<View> view_of(const std::string& name);
 
 /// The direction towards the eye of a view: azimuth about z from x towards y, elevation above the horizontal

@@ -13,10 +13,10 @@ struct Varied {
   std::string unit = {};            // the text after the numbers, if it is the same in all results
 };
 
-/// The command and the scene of a result.
+/// The properties of a result that the picture of a sweep needs: its command and its scene.
 struct SweepInput {
   std::vector<std::string> command;  // words of the command line
-  std::string scene;                 // the text of its scene
+  std::string scene;                 // text of the scene
 };
 
 /// Searches for the varied setting in the --set options of the command lines, then in the lines of the

@@ -20,7 +20,7 @@ struct NodeMove {
 
 /// Compares the last states of two results. If a part has equally many nodes in both results, its nodes are
 /// compared by number. If netting is divided differently, its nodes are compared by their place on the panel,
-/// with positions interpolated between the surrounding nodes. Empty if no node can be compared.
+/// with positions interpolated between the surrounding nodes. nullopt if no node can be compared.
 std::optional<NodeMove> find_largest_move(const StoredShape& before, const StoredShape& after);
 
 }  // namespace netloft::results

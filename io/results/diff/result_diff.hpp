@@ -49,7 +49,7 @@ struct ResultDiff {
   Result before, after;
   std::vector<NumberDifference> numbers;  // sorted by name; unchanged ones are included
   InputDifferences inputs;
-  std::optional<NodeMove> move;  // absent: not compared
+  std::optional<NodeMove> move;  // nullopt: not compared
 
   bool both_are_answers() const { return before.is_answer() && after.is_answer(); }
 };

@@ -26,7 +26,7 @@ class GearView {
   bool is_half() const { return gear().times == 2; }
 
   const std::string& name(std::uint32_t part) const { return loaded_.scene.parts[part].name; }
-  /// The index of the part that is the rope with this name; null if there is none.
+  /// The index of the part that is the rope with this name; nullptr if there is none.
   const std::uint32_t* find_rope(const std::string& name) const;
 
   Vector at(std::uint32_t node) const;

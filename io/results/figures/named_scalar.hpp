@@ -21,7 +21,7 @@ struct NamedScalar {
   double per_swing = kUnknown;
 };
 
-/// Finds a number by its name; null if there is none.
+/// Finds a number by its name; nullptr if there is none.
 const NamedScalar* find_scalar(const std::vector<NamedScalar>& scalars, const std::string& name);
 
 }  // namespace netloft::results

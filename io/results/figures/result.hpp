@@ -122,8 +122,8 @@ struct Motion {
   double shortest = 0, longest = 0;  // shortest and longest step made [s]
   double stable_step = 0;            // longest stable step if no member is slack [s]; 0: any step is stable
   std::optional<StartBalance> start;
-  std::optional<AchievedAccuracy> accuracy;  // empty: the length of steps was prescribed
-  std::optional<NumericalLoss> loss;         // empty: energies were not recorded
+  std::optional<AchievedAccuracy> accuracy;  // nullopt: the length of steps was prescribed
+  std::optional<NumericalLoss> loss;         // nullopt: energies were not recorded
   std::map<std::string, double> energies;    // energies at the last output [J]
 };
 
@@ -138,7 +138,7 @@ struct Result {
   Origins origins;
   std::string solver, strategy, factorisation;
   std::size_t nodes = 0, elements = 0, states = 1;
-  std::optional<GearNames> gear;     // empty: the scene has no net plan
+  std::optional<GearNames> gear;     // nullopt: the scene has no net plan
   std::vector<NamedScalar> scalars;  // the numbers that the scene requests in [results]
   std::vector<NamedScalar> figures;  // figures of the gear (gear_figures.hpp)
   // The meshes from which mesh errors were found, or why there are no mesh errors; empty: not requested.
@@ -150,8 +150,8 @@ struct Result {
   // Largest residual and largest load of a node [N].
   double residual = NamedScalar::kUnknown, largest_load = NamedScalar::kUnknown;
   double energy = NamedScalar::kUnknown;  // energy of the forces that have one [J]
-  std::optional<FoundShapes> shapes;      // empty: there was no search for other equilibria
-  std::optional<Swing> swing;             // empty: no motion grows
+  std::optional<FoundShapes> shapes;      // nullopt: there was no search for other equilibria
+  std::optional<Swing> swing;             // nullopt: no motion grows
   std::vector<Material> materials;
   std::int64_t unknowns = 0;
   double work = 0;  // work in the units of framework/balance/work.hpp
@@ -159,7 +159,7 @@ struct Result {
   Statistics statistics;
   std::vector<Stage> stages;  // stages in the order in which they ran; one if the search solved only once
   std::vector<Iteration> iterations;  // accepted steps of the solver
-  std::optional<Motion> motion;       // empty: the result is an equilibrium
+  std::optional<Motion> motion;       // nullopt: the result is an equilibrium
 
   bool is_half() const { return gear && gear->times == 2; }
   bool is_answer() const { return outcome == "converged" || outcome == "finished"; }

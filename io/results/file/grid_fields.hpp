@@ -20,8 +20,8 @@ struct CellField {
 /// The mesh of a scene for ParaView. Its cells are the elements on single nodes and on rigid bodies, and
 /// those between nodes of their own part; elements on other parts, such as bending on ropes, are not drawn.
 formats::Mesh make_mesh(const scenes::LoadedScene& loaded, const Assembler& assembler);
-/// A point field with the rotation vector of each rigid body at its origin, and NaN at other nodes; empty if
-/// the scene has no bodies.
+/// A point field with the rotation vector of each rigid body at its origin, and NaN at other nodes; nullopt
+/// if the scene has no bodies.
 std::optional<std::pair<formats::FieldSpec, std::vector<double>>> rotation_field(
     const scenes::LoadedScene& loaded, const Assembler& assembler, std::span<const double> x);
 /// Fields that label points with their part and their position on its panel, and cells with their part.

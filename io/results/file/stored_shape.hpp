@@ -125,7 +125,7 @@ class StoredShape {
   formats::Reader reader_;
 };
 
-/// The index of the part with this name; empty if there is none.
+/// The index of the part with this name; nullopt if there is none.
 std::optional<std::uint32_t> find_part(const StoredShape& shape, const std::string& name);
 
 }  // namespace netloft::results

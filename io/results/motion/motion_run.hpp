@@ -18,7 +18,7 @@ struct MotionResult {
 struct MotionOptions {
   std::filesystem::path output;
   bool resume = false;                            // continue from NAME.hdf.part
-  std::optional<std::vector<double>> start = {};  // displacements at the start; empty: those of the scene
+  std::optional<std::vector<double>> start = {};  // displacements at the start; nullopt: those of the scene
   // Identifies the scene with its changes; a run is resumed only if this text is equal.
   std::string identity;
   const std::atomic<bool>* interrupt = nullptr;

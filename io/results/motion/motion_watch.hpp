@@ -15,7 +15,7 @@ struct MotionFindings {
   double t = 0, numerical = 0;  // time of the last output [s], energy that the scheme had taken by then [J]
   std::vector<double> v;        // velocities of the nodes at the last output, three each; empty before the
                                 // first output
-  std::optional<NumericalLoss> loss;  // empty until the second output, or if energies are unknown
+  std::optional<NumericalLoss> loss;  // nullopt until the second output, or if energies are unknown
   std::vector<FallenBoard> fallen;    // each board once, with the time at which it was found
 };
 

@@ -20,7 +20,7 @@ struct HauledBar {
 /// beginning at the drum, each down to `Drum::shortest`, until r is used up. If r < 0, it pays out |r|: it
 /// lengthens one bar after another, beginning at the far end, each up to `Drum::longest`. Samples of length
 /// against time are dropped as long as straight lines between the remaining samples stay within
-/// `kHauledWithin` of them. Returns nothing if there are more than `kMostHauls` lengths to compute.
+/// `kHauledWithin` of them. Returns nullopt if there are more than `kMostHauls` lengths to compute.
 std::optional<std::vector<HauledBar>> haul(const GearFile& gear, const MeshFile& file);
 
 inline constexpr double kMostHauls = 2e7;  // limit of time steps times bars; this many take about a second

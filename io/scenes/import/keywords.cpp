@@ -138,7 +138,7 @@ class KeywordReader {
 
   double number() { return in_.next_real(("an argument of " + name_).c_str()); }
 
-  /// The panel, cable or node type whose number follows in the text; null after an error.
+  /// The panel, cable or node type whose number follows in the text; nullptr after an error.
   template <class T>
   T* one_of(std::vector<T>& all, const char* what) {
     const int number = in_.next_integer(("an argument of " + name_).c_str());

@@ -25,7 +25,7 @@ enum class MoordynSection {
 /// The section that begins with `title`, which is in capitals.
 MoordynSection section_named(const std::string& title);
 
-/// The effect that an option has in MoorDyn, for options that a scene cannot represent; nothing for other
+/// The effect that an option has in MoorDyn, for options that a scene cannot represent; nullopt for other
 /// options. `name` is in capitals.
 std::optional<std::string> meaning_of_option(const std::string& name);
 

@@ -15,7 +15,7 @@ class SceneCatalogue {
                  formats::Diagnostics& diagnostics);
 
   std::shared_ptr<const gears::Catalogue> load();
-  /// The catalogue if it has been loaded, else null.
+  /// The catalogue if it has been loaded, else nullptr.
   const gears::Catalogue* loaded() const { return catalogue_.get(); }
 
  private:

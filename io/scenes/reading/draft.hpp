@@ -35,9 +35,9 @@ class Draft {
  public:
   explicit Draft(formats::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
-  /// Adds a part with nodes of its own. `type` is null if the element type is unknown. `is_sound` is false if
-  /// the table of the part has an error. Its number of nodes may then be wrong, so that nothing that depends
-  /// on this number is checked.
+  /// Adds a part with nodes of its own. `type` is nullptr if the element type is unknown. `is_sound` is false
+  /// if the table of the part has an error. Its number of nodes may then be wrong, so that nothing that
+  /// depends on this number is checked.
   void add_part(Part part, Geometry geometry, const ElementType* type, bool is_sound);
   /// Makes the name of a rider known before nodes are numbered. A rider is a part without nodes of its own,
   /// whose elements are on the nodes or elements of other parts; add_rider() adds it after the numbering.
@@ -45,7 +45,7 @@ class Draft {
   void add_rider(Part part, formats::Place place, const ElementType* type, bool is_sound);
 
   /// Finds the nodes that a name means ("net", "net.fore", "net.node-17"), by their numbers within one part.
-  /// If there are none, reports this at the mention and returns nothing.
+  /// If there are none, reports this at the mention and returns nullopt.
   std::optional<Joiner::Ends> find_set(const Mention& m);
   /// Like find_set(), but the name of a rider is an error, because a rider has no nodes.
   std::optional<Joiner::Ends> find_nodes(const Mention& m);

@@ -15,7 +15,7 @@ void report_refusal(formats::TableReader& table, const char* key, const std::str
 /// Reads a text that must not be empty; reports an empty one.
 std::string read_name(formats::TableReader& table, const char* key, const char* doc);
 
-/// The number of nodes of one element of each type. No type may be null.
+/// The number of nodes of one element of each type. No type may be nullptr.
 std::vector<int> nodes_per_element(std::span<const ElementType* const> types);
 
 /// Finds the elements, companion elements and laws of parts in the plugins that a scene names.

@@ -16,7 +16,7 @@ struct GearModel {
   gears::Fineness fineness;
 };
 
-/// Reads `[gear]`. Returns nothing if its keys have errors, which are reported.
+/// Reads `[gear]`. Returns nullopt if its keys have errors, which are reported.
 std::optional<GearModel> read_gear_model(const gears::NetPlan& plan, formats::TableReader& root);
 
 /// Selects from `names`, the names of the modelled gear, those that a name of the plan means: the name

@@ -199,7 +199,7 @@ void GearParts::add_panel(const gears::GearPanel& panel, const gears::PanelMesh&
   add_netting(panel, std::move(geometry), mesh.nodes);
 }
 
-/// Adds a panel with its twine. `nodes`: own number -> node of the gear.
+/// Adds a panel with its twine. `nodes`: for each node of the panel, its number in the gear.
 void GearParts::add_netting(const gears::GearPanel& panel, Geometry geometry,
                             const std::vector<std::uint32_t>& nodes) {
   const gears::Panel& plan = *panel.panel;
@@ -226,7 +226,7 @@ void GearParts::add_rope(const gears::GearRope& rope, const gears::RopeMesh& mes
            std::move(geometry), mesh.nodes);
 }
 
-/// Adds a panel or a rope as a part. `nodes`: own number of the part -> node of the gear.
+/// Adds a panel or a rope as a part. `nodes`: for each node of the part, its number in the gear.
 void GearParts::add_part(std::string_view kind, const std::string& name, const std::string& path,
                          formats::Value numbers, bool is_of_catalogue, Geometry geometry,
                          const std::vector<std::uint32_t>& nodes) {
@@ -369,8 +369,9 @@ bool GearParts::is_carried_at(const std::string& point, const std::set<std::uint
 
 namespace {
 
-/// Sets the number of pieces at each contact point of a board, so that this number does not depend on whether
-/// one board or both are modelled. `shoes`: number of contact points of one board.
+/// Replaces the number of pieces of one board (`number`) by the number at each of its contact points
+/// (`each`), which is the same whether one board or both are modelled. `shoes`: number of contact points of
+/// one board.
 void count_on_one_side(formats::Table& contact, double shoes) {
   if (contact.find("each")) return;
   double pieces = 1;

@@ -79,11 +79,11 @@ class GearParts : public GearSteps {
   formats::Place place_;  // place of `[gear]`
   gears::Gear gear_;
   std::set<std::string> names_;           // names of everything in the gear
-  std::optional<PlanElements> elements_;  // empty until `[elements]` is read
+  std::optional<PlanElements> elements_;  // nullopt until `[elements]` is read
   gears::Divisions& divisions_;
   gears::Fineness fineness_;
   bool is_sound_ = false;                      // false after an error in `[gear]` or `[elements]`
-  std::shared_ptr<gears::Division> division_;  // null before divide() and after an error
+  std::shared_ptr<gears::Division> division_;  // nullptr before divide() and after an error
   // Coordinates that the points of bodies fix, for the initial shape.
   std::vector<gears::KnownCoordinate> known_;
   std::vector<double> start_;  // initial positions, 3 per node of the gear

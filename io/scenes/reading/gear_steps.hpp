@@ -22,7 +22,7 @@ class GearSteps {
   /// Called instead of all steps below. Reads the tables of the plan that need no mesh: its bodies and the
   /// elements of its panels, ropes and floats.
   virtual void read_undivided(PartReader&) {}
-  /// The ship of the plan; null if there is none.
+  /// The ship of the plan; nullptr if there is none.
   virtual const gears::Ship* ship() const { return nullptr; }
   /// Whether a part, a point or a body of the plan has this name.
   virtual bool has_name(const std::string&) const { return false; }

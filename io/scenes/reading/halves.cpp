@@ -54,8 +54,8 @@ std::string list_names(const LoadedScene& loaded, const std::vector<Beyond>& par
   return names;
 }
 
-/// The unit vector to starboard, normal to the flow at height z; null if the flow comes from behind the gear
-/// as it is drawn, so that the gear turns round.
+/// The unit vector to starboard, normal to the flow at height z; nullopt if the flow comes from behind the
+/// gear as it is drawn, so that the gear turns round.
 std::optional<std::array<double, 2>> starboard_at(const Scene& scene, double z) {
   std::array<double, 3> v{}, dz{};
   scene.current.at(z, v, dz);

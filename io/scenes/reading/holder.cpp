@@ -114,7 +114,7 @@ double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + 
 /// Whether two lengths, or two speeds, are equal up to round-off.
 bool is_one(double a, double b) { return std::abs(a - b) <= 1e-9 * (1 + std::abs(a)); }
 
-/// An axis of a frame, or of the world if the frame is null.
+/// An axis of a frame, or of the world if the frame is nullptr.
 Point axis_of(const std::array<double, 9>* frame, std::size_t axis) {
   if (frame) return {(*frame)[axis], (*frame)[3 + axis], (*frame)[6 + axis]};
   Point unit{};
@@ -196,7 +196,7 @@ Point Holder::place(const HoldEntry& entry, std::size_t i, const std::vector<std
   return {x[0], x[1], x[2]};
 }
 
-/// The axes of a node to which its bits in `held` refer; null for the axes of the world.
+/// The axes of a node to which its bits in `held` refer; nullptr for the axes of the world.
 const std::array<double, 9>* Holder::frame_of(std::uint32_t node) const {
   const auto at = scene_.frames.find(node);
   return at == scene_.frames.end() ? nullptr : &at->second;

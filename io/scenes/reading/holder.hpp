@@ -41,11 +41,11 @@ class Holder {
  private:
   /// Records that one entry, or the net plan, holds a node along an axis.
   struct Grip {
-    std::optional<formats::Place> said_at;  // empty: the net plan holds it
+    std::optional<formats::Place> said_at;  // nullopt: the net plan holds the node
     Course course;
   };
-  /// The grips on the three axes of a node; null for an axis along which the node is free, or held by the net
-  /// plan without motion.
+  /// For each axis of a node, the grip that holds the node along it; nullptr where the node is free along the
+  /// axis, or where the net plan fixes it at rest.
   using Grips = std::array<std::shared_ptr<const Grip>, 3>;
 
   Point place(const HoldEntry& entry, std::size_t i, const std::vector<std::uint32_t>& nodes) const;

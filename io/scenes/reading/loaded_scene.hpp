@@ -129,7 +129,7 @@ struct LoadedScene {
   std::vector<ResultRequest> results;
   Analysis analysis;
   std::vector<formats::SourceFile> files;
-  std::optional<GearInScene> gear;            // empty: the scene has no net plan
+  std::optional<GearInScene> gear;            // nullopt: the scene has no net plan
   std::map<std::string, Strength> strengths;  // strengths by part; a part of unknown strength is left out
   mutable formats::NameIndex index_of_parts = {};  // an index that makes place_of fast
 

@@ -48,7 +48,7 @@ class MeshParts {
 
   std::filesystem::path folder_;
   formats::Diagnostics& diagnostics_;
-  std::map<std::string, std::unique_ptr<formats::InputMesh>> meshes_;  // meshes by name; null after an error
+  std::map<std::string, std::unique_ptr<formats::InputMesh>> meshes_;  // by name; nullptr after an error
   std::vector<Standing> standing_;
   std::vector<formats::SourceFile> files_;
 };

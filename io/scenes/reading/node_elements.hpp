@@ -16,7 +16,7 @@ class NodeElements {
     std::uint32_t part, element;
   };
 
-  /// `types`: by part. Parts of an unknown type, which are null, have no elements here.
+  /// `types`: by part. Parts of an unknown type, which are nullptr, have no elements here.
   NodeElements(const Scene& scene, const std::vector<const ElementType*>& types);
 
   /// The elements at a node, part by part. An element with several corners at the node is listed as often.

@@ -21,7 +21,7 @@ class PlanElements {
   PlanElements(const gears::NetPlan& plan, const gears::Gear& gear, formats::TableReader& elements,
                const ElementChoice& choice);
 
-  /// The element type of a kind of parts, such as "netting"; null after an error.
+  /// The element type of a kind of parts, such as "netting"; nullptr after an error.
   const ElementType* type_of(std::string_view kind) const { return made(kind).type; }
   /// Reads the parameters of a part. `[elements.NAME]` overrides `[elements.KIND]`, which overrides the
   /// numbers of the plan. `path` names the part in messages. Returns false after an error.

@@ -26,7 +26,7 @@ void add_bodies(Draft& draft, formats::Diagnostics& diagnostics);
 /// placed the origins.
 void place_points(Scene& scene);
 
-/// The body of which a node is a point (not the origin); null if there is none.
+/// The body of which a node is a point (not the origin); nullptr if there is none.
 const RigidBody* body_that_carries(const Scene& scene, std::uint32_t node);
 
 }  // namespace netloft::scenes

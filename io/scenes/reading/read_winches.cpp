@@ -9,8 +9,8 @@ namespace netloft::scenes {
 
 namespace {
 
-/// The rope of the plan that has a given tension or a winch program; null if there is none. The plan has one
-/// rope for all warps.
+/// The rope of the plan that has a given tension or a winch program; nullptr if there is none. The plan has
+/// one rope for all warps.
 const gears::Rope* find_warp(const gears::NetPlan& plan) {
   const auto is_run = [](const gears::Rope& rope) { return rope.tension || !rope.winch.empty(); };
   const auto warp = std::ranges::find_if(plan.ropes, is_run);
@@ -28,7 +28,7 @@ bool has_table(const Part& part, Registry& registry, const std::string& name) {
   });
 }
 
-/// The part that is the rope with this name; null if its element type was rejected.
+/// The part that is the rope with this name; nullptr if its element type was rejected.
 Part* find_part(Scene& scene, const std::string& name) {
   const auto part =
       std::ranges::find_if(scene.parts, [&](const Part& one) { return one.name == name && !one.companion; });

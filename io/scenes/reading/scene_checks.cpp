@@ -19,7 +19,7 @@ void check_symmetric_parameters(const Draft& draft, const std::string& cure,
                                 formats::Diagnostics& diagnostics) {
   const LoadedScene& out = draft.out;
   for (std::size_t p = 0; p < draft.types.size(); ++p) {
-    const ElementType* type = draft.types[p];   // null if unknown, which was reported
+    const ElementType* type = draft.types[p];   // nullptr if unknown, which was reported
     if (!type || type->is_on_body()) continue;  // the y axis of a body points outward on either side
     const Part& part = out.scene.parts[p];
     for (const auto& [name, value] : part.parameters)

@@ -42,7 +42,7 @@ void refuse_tables_of_plans(formats::TableReader& root) {
 /// Reads one scene. The member functions are the steps, in the order of execution.
 class SceneReader {
  public:
-  /// `plan` is null for a scene without a net plan.
+  /// `plan` is nullptr for a scene without a net plan.
   SceneReader(const formats::Value& root, const gears::NetPlan* plan, gears::Divisions& divisions,
               const std::filesystem::path& folder, Registry& registry, formats::Diagnostics& diagnostics,
               bool& refused)
@@ -217,8 +217,8 @@ class SceneSource::Memory {
     return root;
   }
 
-  /// Replaces the names of catalogue parts in a scene by their numbers, and reads its plan; null if there is
-  /// none.
+  /// Replaces the names of catalogue parts in a scene by their numbers, and reads its plan; nullptr if there
+  /// is none.
   std::shared_ptr<const PlanRead> read_plan(formats::Value& root, SceneCatalogue& catalogue,
                                             Registry& registry, formats::Diagnostics& diagnostics,
                                             std::map<std::string, Strength>& strengths) {

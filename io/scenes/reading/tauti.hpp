@@ -29,7 +29,7 @@ struct TautiModel {
   void scale_ropes_and_floats(Scene& scene) const;
 };
 
-/// A part with elements that may be partly above water, where (1) does not hold; null if there is none.
+/// A part with elements that may be partly above water, where (1) does not hold; nullptr if there is none.
 const Part* find_part_above_water(const Scene& scene);
 
 }  // namespace netloft::scenes

@@ -14,7 +14,7 @@ struct ThicknessFault {
 };
 
 /// Finds twine that is as thick as its bars are long, so that no mesh could open, and a rope that is as thick
-/// as it is long. Empty if there is no such fault.
+/// as it is long. nullopt if there is no such fault.
 std::optional<ThicknessFault> thickness_fault(const Part& part, const Geometry& geometry);
 
 inline constexpr const char* kThicknessCure = "one of the two may be in another unit";

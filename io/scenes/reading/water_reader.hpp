@@ -21,7 +21,7 @@ class WaterReader {
   void take_model();
   /// Gives the factors of `[bed] bottom` to all parts that rest on the bed.
   void lay_bottom();
-  /// The key of `[bed]` by which the bed differs between port and starboard; null if there is none.
+  /// The key of `[bed]` by which the bed differs between port and starboard; nullptr if there is none.
   const char* uneven_key() const;
   bool says_tow() const { return says_tow_; }
 

@@ -30,7 +30,7 @@ struct OtherEquilibrium {
 struct MethodResult {
   Method method;
   std::vector<Trial> trials;
-  std::optional<ReferenceAnswer> reference;  // empty: no other solver converged
+  std::optional<ReferenceAnswer> reference;  // nullopt: no other solver converged
   // If set, method and reference found different equilibria, and the trials have no errors.
   std::optional<OtherEquilibrium> other;
   bool is_absent = false;  // true: the plugin is not installed; the only trial says so

@@ -28,7 +28,7 @@ NumbersOnMesh numbers_of(runs::PreparedScene& solved, const Solution& solution,
 /// Selects `scalars` or `gear` of NumbersOnMesh.
 using NumberGroup = std::vector<results::NamedScalar> NumbersOnMesh::*;
 
-/// Solves a scene on another mesh. Empty if forces do not balance at the end; `why_not` is then the reason.
+/// Solves a scene on another mesh. nullopt if forces do not balance at the end; `why_not` is then the reason.
 /// An unstable equilibrium is accepted, because its figures depend on the mesh like those of a stable one.
 std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const runs::CaseSource& source,
                                       Registry& registry, const runs::Watch& watch, std::string& why_not);

@@ -37,7 +37,7 @@ class ReferenceAnswers {
                    const runs::Watch& watch)
       : source_(source), registry_(registry), wanted_(std::move(wanted)), watch_(watch) {}
 
-  /// The reference for a method; empty if no solver converges.
+  /// The reference for a method; nullopt if no solver converges.
   std::optional<ReferenceAnswer> find_for(const Method& method);
 
  private:

@@ -20,7 +20,7 @@ class ReferencePaths {
         tightest_(tightest),
         watch_(watch) {}
 
-  /// The reference for a method; empty if the motion fails with every integrator. `is_damped`: whether the
+  /// The reference for a method; nullopt if the motion fails with every integrator. `is_damped`: whether the
   /// method counts the damping of materials.
   std::optional<ReferenceAnswer> find_for(const Method& method, bool is_damped);
 

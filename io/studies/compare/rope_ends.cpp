@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::string_view kRopes = "ropes/", kTension = "/tension_";
 
-/// The rope whose end tension `figure` is ("ropes/headrope/tension_end"), with its bars in the order from
-/// that end; empty for other figures.
+/// The rope at one end of which `figure` is the tension ("ropes/headrope/tension_end"), with its bars in the
+/// order from that end; nullopt for other figures, or if the mesh has no such rope.
 std::optional<results::RopeTensions> seen_from_end(const std::string& figure, const NumbersOnMesh& mesh) {
   const auto slash = figure.rfind(kTension);
   if (!figure.starts_with(kRopes) || slash == std::string::npos) return {};

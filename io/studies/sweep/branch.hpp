@@ -53,7 +53,7 @@ struct BranchOptions {
 /// values on either side and the node that moves most.
 class Branch {
  public:
-  /// Opens the scene at some values of the variables in the path; null if the scene cannot be read.
+  /// Opens the scene at some values of the variables in the path; nullptr if the scene cannot be read.
   using OpenCase = std::function<std::shared_ptr<runs::PreparedScene>(const std::vector<VariableValue>&)>;
 
   Branch(std::vector<Variable> variables, OpenCase open, const runs::Watch& watch, BranchOptions options = {})

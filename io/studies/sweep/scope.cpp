@@ -126,7 +126,7 @@ class ScopeRun {
     return std::make_shared<runs::PreparedScene>(std::move(source), registry_, make_);
   }
 
-  /// Opens the scene with these values; null if it cannot be read.
+  /// Opens the scene with these values; nullptr if it cannot be read.
   std::shared_ptr<runs::PreparedScene> open(const std::vector<VariableValue>& values) const {
     auto scene = make_case(values);
     return scene->prepare() == runs::PreparedScene::State::ready ? scene : nullptr;

@@ -19,7 +19,7 @@ enum class VariedBy { values_or_interval, interval };
 Variable read_variable(const std::string& name, formats::TableReader table,
                        VariedBy by = VariedBy::values_or_interval);
 
-/// Reads a number such as the mean of a distribution, in the unit of the variable. Empty if the number is
+/// Reads a number such as the mean of a distribution, in the unit of the variable. nullopt if the number is
 /// missing or wrong, which is reported.
 std::optional<double> read_number_of(const Variable& variable, formats::TableReader& table,
                                      const std::string& key, const std::string& doc);

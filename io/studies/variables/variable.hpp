@@ -11,7 +11,7 @@ namespace netloft::studies {
 /// One value of a variable.
 struct VariableValue {
   std::string text;              // value as for `--set`: "2.5 kn", "pe-braided-4mm", "[64, 64]"
-  std::optional<double> number;  // value in the unit of the variable; empty for names, switches and arrays
+  std::optional<double> number;  // value in the unit of the variable; nullopt for names, switches and arrays
 };
 
 /// A key of a scene that a variable sets: key = offset + factor × variable, in the variable's unit.
@@ -31,7 +31,7 @@ struct Interval {
 /// columns of tables, paths in result files, and options such as --at NAME=VALUE.
 bool is_variable_name(const std::string& text);
 
-/// The number of a value such as "2.5 kn" in a unit; empty if it is no number of its dimension.
+/// The number of a value such as "2.5 kn" in a unit; nullopt if it is no number of its dimension.
 std::optional<double> number_in_unit(const std::string& text, const std::string& unit);
 
 /// An input of a scene, or several inputs that change together, with its listed values or its interval.

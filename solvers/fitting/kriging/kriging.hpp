@@ -53,7 +53,7 @@ class Kriging {
   KrigingValue at(const std::vector<double>& point) const;
   /// Returns m alone, which takes n operations; s would take n².
   double value_at(const std::vector<double>& point) const;
-  /// Returns ℓ and ν, or nothing if all values are equal.
+  /// Returns ℓ and ν, or nullopt if all values are equal.
   std::optional<KrigingScales> scales() const;
 
   /// Returns the values at a group of points minus their prediction from all other points, by (6) with ℓ and
@@ -62,7 +62,7 @@ class Kriging {
 
  private:
   class Model;
-  std::unique_ptr<Model> model_;  // null if all values are equal
+  std::unique_ptr<Model> model_;  // nullptr if all values are equal
   double mean_ = 0;
 };
 

@@ -23,10 +23,10 @@ struct Measurement {
 class Model {
  public:
   virtual ~Model() = default;
-  /// Returns f(θ), or nothing if the model has no solution. `slopes` starts from the last point of this
+  /// Returns f(θ), or nullopt if the model has no solution. `slopes` starts from the last point of this
   /// function.
   virtual std::optional<std::vector<double>> predict(const std::vector<double>& parameters) = 0;
-  /// Returns ∂f/∂θ at θ, a row per measurement, or nothing if the model has no solution near θ.
+  /// Returns ∂f/∂θ at θ, a row per measurement, or nullopt if the model has no solution near θ.
   virtual std::optional<std::vector<std::vector<double>>> slopes(const std::vector<double>& parameters) = 0;
   /// Whether the user has interrupted the fit.
   virtual bool is_interrupted() const { return false; }

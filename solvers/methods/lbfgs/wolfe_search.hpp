@@ -25,7 +25,7 @@ struct LineSearch {
   int most_samples = 30;
 
   /// `sample(t)` returns φ and φ' at t. The returned sample is the last one taken; it satisfies (1) or (3),
-  /// and also (2) unless the limit of samples was reached. Returns nothing if no t was found that lowers φ.
+  /// and also (2) unless the limit of samples was reached. Returns nullopt if no t was found that lowers φ.
   template <class Function>
   std::optional<Sample> find(const Sample& start, double first, Function&& sample) const {
     Sample low = start;          // lowest sample that satisfies (1) or (3)

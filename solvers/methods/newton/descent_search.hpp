@@ -15,7 +15,7 @@ struct DescentSearch {
   Refinement refinement = {};
   double longest() const { return 1 / refinement.margin; }  // limit (E) of t
 
-  /// `merit(t)` gives a Sample, or nothing if forces are undefined at t. Returns nothing if no t is accepted.
+  /// `merit(t)` gives a Sample, or nullopt if forces are undefined at t. Returns nullopt if no t is accepted.
   template <class Merit>
   std::optional<Sample> operator()(Merit&& merit, const Sample& start, double noise) const {
     const auto falls = [&](const Sample& s) { return s.slope < 0 && s.value <= start.value + noise; };

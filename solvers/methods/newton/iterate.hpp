@@ -52,7 +52,7 @@ class Iterate {
 
   /// s = −A⁻¹ r with the last factor A.
   void solve(std::span<double> s);
-  /// Returns r at u(t), or nothing if forces are undefined there.
+  /// Returns r at u(t), or nullopt if forces are undefined there.
   std::optional<std::span<const double>> residual_at(const Path& path, double t);
   /// Returns the merit m(t), (3) of newton.hpp, and its derivative. Forces at the last trial point are kept:
   /// a second call for this point, and a step to it, do not evaluate them again. Call split_residual() first.

@@ -36,8 +36,8 @@ struct LineSearch {
   ///   m(t) ≤ m(0), and |m'(t)| ≤ η |m'(0)|, or t = 1 and m'(1) < 0, or refinements spent      (L)
   /// with η `flatness`, by secants of m' within a bracket, by parabolas while m is too high (Nocedal & Wright
   /// 2006, ch. 3). The usual condition of sufficient decrease, 1e-4 of the slope, is left out: it changed no
-  /// bit of 537 hard cases. `start` is m at t = 0; `merit(t)` returns a Sample, or nothing if forces are
-  /// undefined at t, which is then shortened. Returns nothing if no t is found.
+  /// bit of 537 hard cases. `start` is m at t = 0; `merit(t)` returns a Sample, or nullopt if forces are
+  /// undefined at t, which is then shortened. Returns nullopt if no t is found.
   template <class Merit>
   std::optional<Sample> operator()(Merit&& merit, const Sample& start) const {
     std::optional<Sample> best, high;
@@ -85,7 +85,7 @@ struct SlopeSearch {
   /// The first t in (0, 1] found:
   ///   m(t) ≤ m(0) + noise, and |m'(t)| ≤ η |m'(0)|, or t = 1 and m'(1) ≤ 0                      (S)
   /// by secants and halves of a bracket (the approximate Wolfe conditions of W. W. Hager and H. Zhang, SIAM
-  /// J. Optim. 16, 2005). `merit` and `start` are those of LineSearch. Returns nothing if no t is found, or
+  /// J. Optim. 16, 2005). `merit` and `start` are those of LineSearch. Returns nullopt if no t is found, or
   /// at the first t at which forces are undefined.
   template <class Merit>
   std::optional<Sample> operator()(Merit&& merit, const Sample& start) const {

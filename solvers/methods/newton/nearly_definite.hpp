@@ -17,7 +17,7 @@ class NearlyDefinite {
   explicit NearlyDefinite(const DampingRange& range) : range_(range), sigma_(range.least) {}
 
   /// Tries ever larger σ, from the last one divided by `factor` upwards. Returns the first with which K + σ M
-  /// is positive definite, and leaves K + σ M factorised. Returns nothing if K is not nearly definite.
+  /// is positive definite, and leaves K + σ M factorised. Returns nullopt if K is not nearly definite.
   std::optional<double> factorise(Problem& problem) {
     for (sigma_ = std::max(range_.least, sigma_ / range_.factor); sigma_ <= kMatters * (1 + kShortest);
          sigma_ *= range_.factor)

@@ -61,7 +61,8 @@ class Members {
   void add_forces(const std::vector<Vector>& f, std::vector<double>& residual) {
     check(m_.add_forces(m_.host, f.data()->data(), residual.data()));
   }
-  /// Sets the matrix: the tangent of r, plus Σ n c cᵀ K.
+  /// Sets the matrix to the tangent of r plus Σ n c cᵀ K over all members; `K` has the stiffness of each
+  /// member.
   void set_matrix(const std::vector<Block>& K) { check(m_.set_matrix(m_.host, K.data()->data())); }
   /// Sets the matrix from lines, and adds their forces to the residual.
   void set_matrix(const std::vector<Line>& lines, std::vector<double>& residual) {
