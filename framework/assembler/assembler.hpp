@@ -23,8 +23,8 @@ class Assembler : public Placement {
   Assembler& operator=(const Assembler&) = delete;
 
   const SparsePattern& pattern() const { return pattern_; }
-  /// Length of the array of matrix values. The array stores whole 3 x 3 blocks and is therefore longer than
-  /// the number of entries of the pattern.
+  /// Length of the array of matrix values. The array stores whole 3 x 3 blocks of node pairs, and is
+  /// therefore longer than the number of entries of the sparsity pattern.
   std::size_t value_slots() const;
   std::span<const std::unique_ptr<ElementFamily>> families() const { return families_; }
   /// Threads among which an evaluation is divided; 1 if the scene is too small to gain from more.
@@ -47,7 +47,7 @@ class Assembler : public Placement {
   /// stores the memories of the initial positions. Returns false and changes nothing if an element could not
   /// be evaluated: see fault().
   bool remember(std::span<const double> x, const Kinematics& motion = {});
-  /// The memories of all elements in one array, to save and restore them.
+  /// The memories of all elements in one array, so that a run can save them and a later run restore them.
   std::vector<double> memory() const;
   void set_memory(std::span<const double> kept);
   /// Updates the stretch rates of members (twines, ropes), on which their damping depends, after an accepted

@@ -12,8 +12,8 @@ struct BodyMotion {
   double cu = 1, cv = 0, ca = 0;
 };
 
-/// Matrix values of one evaluation, and the matrices C (`damping`) and M (`mass`) of (4) below, summed over
-/// the elements at carried nodes. If C and M are nullptr, (4) is left out.
+/// The matrix values of one evaluation, to which hand_on() adds those of carried nodes. C (`damping`) and M
+/// (`mass`) of (4) below are sums over the elements at carried nodes; if both are nullptr, (4) is left out.
 struct BodyMatrices {
   double* values = nullptr;
   const double *damping = nullptr, *mass = nullptr;
@@ -33,7 +33,8 @@ class Bodies {
   Bodies(const Scene& scene, const Numbering& numbering, const NodeBlocks& blocks, bool symmetric);
 
   bool empty() const { return pairs_.empty(); }
-  /// For each body, the nodes of its origin and of its rotation.
+  /// For each body, the numbers of two nodes: that of its origin, and that whose coordinates are its rotation
+  /// vector.
   const std::vector<std::array<std::uint32_t, 2>>& pairs() const { return pairs_; }
   double arm(std::size_t body) const { return bodies_[body].arm; }
   /// The origin of the body that carries a node; the node itself if no body carries it.
@@ -56,8 +57,8 @@ class Bodies {
   /// points of the body are on one line, because nothing resists a rotation about that line.
   ///   tr(A) I ≥ A                                                                           (5)
   void resist_turning(double* metric) const;
-  /// Adds the mass blocks of carried nodes to those of their bodies by (3). `between` has one block per body,
-  /// origin x rotation.
+  /// Adds the mass blocks of carried nodes to the mass blocks of their bodies by (3). `between` has one block
+  /// per body, origin x rotation.
   void hand_on_masses(std::span<const double> x, std::span<double> blocks, std::span<double> between) const;
   /// Replaces rotation vectors longer than ¾ of a turn by the shorter vectors of the same rotations, and
   /// their rates by those of the same spin. `u` are displacements of the unknowns from `start`; their rates

@@ -7,8 +7,8 @@
 namespace netloft {
 
 /// Calls the terms of a family (all elements of one type) on a tile of 64 elements, for the sums of a
-/// request. If a term does not offer the requested matrix, the matrix is derived from its exact tangent
-/// (projection.hpp).
+/// request. If a term does not offer the requested matrix, the matrix is derived from the exact tangent of
+/// the term (projection.hpp).
 class TermCalls {
  public:
   /// `symmetric`: the matrix holds its lower triangle only.

@@ -10,7 +10,7 @@ namespace netloft {
 /// (4) needs forces or matrices that the request does not contain.
 class CarriedNodes {
  public:
-  /// Both objects have to outlive this one; `dofs` counts all degrees of freedom.
+  /// `bodies` and `elements` have to outlive this object; `dofs` is the number of all degrees of freedom.
   CarriedNodes(Bodies& bodies, TileEvaluator& elements, TangentChoice tangent, std::size_t dofs)
       : bodies_(bodies), elements_(elements), tangent_(tangent), dofs_(dofs) {}
 

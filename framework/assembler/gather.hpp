@@ -20,9 +20,9 @@ struct TileInputs {
   std::vector<double> current, current_dz;          // [m/s], [1/s]; empty in still water
   std::vector<double> water_acceleration, surface;  // [m/s²], [m]; empty without waves
   std::vector<double> bed;                          // bed per node: height, slopes and second derivatives
-  // Data of extensions of the plugin interface, for the family that receives the tile.
+  // Data that extensions of the plugin interface add to the tile, for the family that receives the tile.
   ExtensionInputs extensions;
-  // the time [s] of the current in `current`, if the current is uniform
+  // The time [s] at which `current` was evaluated, if the current is uniform.
   double current_time = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -20,16 +20,16 @@ struct RangeUse {
   double fraction_outside() const { return outside > 0 ? outside / (inside + outside) : 0; }
 };
 
-/// Use of a law by the parts of a family.
+/// How much the parts of a family use a law inside and outside its ranges.
 struct LawUse {
   const LawType* law = nullptr;
-  std::vector<std::uint32_t> parts;  // indices of scene parts
+  std::vector<std::uint32_t> parts;  // indices, in the scene, of the parts that use the law
   std::vector<RangeUse> ranges;
 };
 
-/// Receives the calls of elements to a law and passes them on. Between begin() and end(), a watch sums for
-/// each range of the law how much of the gear is inside and outside the range; during this time, only one
-/// thread may call it.
+/// Stands between elements and a law: receives the calls of the elements and passes them on to the law.
+/// Between begin() and end(), a watch sums for each range of the law how much of the gear is inside and
+/// outside the range; during this time, only one thread may call it.
 class LawWatch {
  public:
   /// `parameters` must be valid and outlive this object.

@@ -6,7 +6,7 @@
 
 namespace netloft {
 
-/// The nodal blocks of the mass matrix ∂r/∂a, summed from the tangents of the elements without a sparse
+/// The diagonal blocks of the mass matrix ∂r/∂a, summed from the tangents of the elements without a sparse
 /// matrix. Explicit schemes solve with these blocks.
 struct MassBlocks {
   std::span<double> nodes;    // for each node a 3 x 3 block, row by row [kg]

@@ -12,7 +12,7 @@ namespace netloft {
 /// and mean_of_energy.hpp. Also stores the rates at which members (twines, ropes) were stretched.
 class MeanForces {
  public:
-  /// `are_used`: the integrator uses mean forces. If not, no memory is allocated.
+  /// `are_used`: whether the integrator uses mean forces; if not, no memory is allocated.
   MeanForces(const ElementTiles& tiles, bool are_used);
 
   StepTile make_step_tile() const;

@@ -16,7 +16,7 @@ bool have_same_nodes(const ElementFamily& a, const ElementFamily& b);
 /// them, and its sums are scattered after all of them have added to it.
 struct FamilyGroup {
   Tiling tiling;
-  std::vector<std::size_t> families;              // first the family, then its riders
+  std::vector<std::size_t> families;              // indices: first the family, then its riders
   std::uint32_t traits = 0;                       // bitwise or of the traits of active terms
   std::size_t first_tile = 0;                     // index of the first tile among the tiles of all groups
   std::vector<std::uint32_t> carried_tiles = {};  // tiles with nodes that a body carries

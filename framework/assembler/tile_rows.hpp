@@ -36,7 +36,7 @@ class TileRows {
   }
   /// Whether a term of this tile has opened rows.
   bool is_open() const { return rows_ > 0; }
-  /// Whether this tile has added nothing.
+  /// Whether every number that the terms of this tile added is zero.
   bool is_zero() {
     for (std::size_t row = 0; row < rows_; ++row)
       if (!is_zero(all_.data() + row * kTileLanes)) return false;

@@ -38,9 +38,10 @@ class Configuration {
  public:
   explicit Configuration(Assembler& assembler) : assembler_(assembler), x_(assembler.start()) {}
 
-  /// From now on, u belongs to this step.
+  /// From now on, the displacements u are those in this step in time.
   void begin(const StepProblem& step);
-  /// From now on, u is relative to the positions `base`. Not allowed if bodies carry nodes.
+  /// From now on, the displacements u are relative to the positions `base`. Not allowed if bodies carry
+  /// nodes.
   void count_from(std::vector<double> base);
   /// Moves the nodes to the displacements u [m].
   void place(std::span<const double> u);

@@ -14,8 +14,8 @@
 
 namespace netloft {
 
-/// Properties of a matrix that are known before it is factorised. For the first two classes, the values are
-/// those of the lower triangle.
+/// Properties of a matrix that are known before it is factorised. Positive definite and symmetric matrices
+/// are given by the values of their lower triangle.
 enum class MatrixClass { positive_definite, symmetric, unsymmetric };
 
 enum class FactorStatus { ok, not_positive_definite, singular, out_of_memory, failed };

@@ -23,7 +23,8 @@ struct Judging {
 /// Limits of one solve.
 struct Limits {
   double tolerance = kTolerance;  // largest nodal residual over the largest nodal load
-  // The default is meant for one solve: the strategy `auto` continues an attempt that this limit ended.
+  // Largest number of iterations. The default is meant for one solve: the strategy `auto` continues an
+  // attempt that this limit ended.
   int iterations = 1000;
   double seconds = std::numeric_limits<double>::infinity();  // processor time that the user allows
   const std::atomic<bool>* interrupt = nullptr;

@@ -19,7 +19,7 @@ class Matrices {
   /// no iteration allocates. The system provides this memory only when it is used.
   Matrices(Assembler& assembler, Statistics& statistics);
 
-  /// Storage in which an evaluation writes a matrix.
+  /// The array to which an evaluation writes the values of a matrix.
   std::vector<double>& slots(MatrixKind kind);
   /// Computes the sum (1), where `matrix` selects A: NETLOFT_EXACT, NETLOFT_CONVEX or NETLOFT_NONE. The
   /// result is valid until the next sum, and empty if A has not been evaluated.

@@ -27,8 +27,8 @@ class MovingState {
   double t() const { return t_; }
   const std::vector<double>& x() const { return x_; }
   const std::vector<double>& v() const { return v_; }
-  /// Arguments of an evaluation. The requested matrix is ∂F/∂u for rates that depend on u by dv/du = cv,
-  /// da/du = ca.
+  /// The motion of the nodes, as argument of an evaluation by the assembler. The requested matrix is ∂F/∂u
+  /// for rates that depend on u by dv/du = cv, da/du = ca.
   Kinematics motion(double cv = 0, double ca = 0) const {
     return {t_, v_.data(), a_.data(), 1, cv, ca + mass_damping_ * cv};
   }

@@ -79,11 +79,11 @@ class StaticProblem {
   bool recompute(std::span<const double> u, std::vector<double>& x, std::vector<double>& residual,
                  double& energy);
   Balance balance(std::span<const double> x, std::span<const double> residual);
-  /// Converts a balance to the input of convergence.hpp.
+  /// Converts a balance to the quantities from which convergence.hpp decides.
   Imbalance imbalance_of(const Balance& b);
   Scales& scales() { return scales_; }
   const Scales& scales() const { return scales_; }
-  /// Makes this step in time the problem.
+  /// Makes a step in time the problem to be solved, in place of the previous step or the scene at rest.
   void begin(const StepProblem& step);
   /// Makes u relative to the positions `base`, near the solution of the problem (Configuration).
   void count_from(std::vector<double> base);

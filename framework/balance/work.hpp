@@ -19,9 +19,9 @@ struct WorkModel {
   double unit = 1;  // cost of one iteration of the original scene, (1)
 
   double of_iteration() const { return factorisation + solution + matrix + residual; }
-  /// Work by (2). Factorisations that end early count in full, because most of their work was done.
-  /// Evaluating an energy costs as much as a residual, or nothing if the residual is evaluated at the same
-  /// point.
+  /// The work of these operations by (2). Factorisations that end early count in full, because most of their
+  /// work was done. Evaluating an energy costs as much as a residual, or nothing if the residual is evaluated
+  /// at the same point.
   double of(const Statistics& statistics) const {
     const int evaluations = std::max(statistics.residuals, statistics.energies);
     return (statistics.factorisations * factorisation + statistics.solves * solution +

@@ -10,8 +10,8 @@
 
 namespace netloft::conformance {
 
-/// Numbers that the system gives to the threads of this program, in ascending order; empty if it does not
-/// report them.
+/// The threads of this program, by the numbers that the system gives them, in ascending order; an empty list
+/// if the system does not report them.
 using Threads = std::vector<int>;
 Threads threads_now();
 int number_of_this_thread();

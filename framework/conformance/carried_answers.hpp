@@ -12,7 +12,7 @@ inline constexpr double kMotionLimit = 1e-8;
 
 inline bool is_from_outside(const netloft_term& term) { return term.traits & NETLOFT_FROM_OUTSIDE; }
 
-/// All outputs of a term except its matrix.
+/// The bits of all results that a term can give, except its matrix.
 inline std::uint32_t all_of(const netloft_term& term) {
   return NETLOFT_WANT_FORCE | (term.traits & NETLOFT_CONSERVATIVE ? std::uint32_t{NETLOFT_WANT_ENERGY} : 0u);
 }

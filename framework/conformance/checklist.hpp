@@ -11,7 +11,7 @@ template <class Bench>
 struct Check {
   const char* name;
   Finding (*run)(Bench&);
-  // The check is skipped if one of these failed, or was skipped for that reason.
+  // Names of other checks. This check is skipped if one of them failed, or was skipped because of a failure.
   std::vector<const char*> depends_on;
   const char* hint;
 };

@@ -23,7 +23,7 @@ Finding judged_defaults(std::span<const netloft_parameter> table, std::size_t by
 /// Fails if the plugin left threads running. Skipped if the system does not report threads. (bench.cpp)
 Finding no_more_threads_than(const Threads& before);
 
-// Evaluation: does the element answer at all? (answering_checks.cpp)
+// Evaluation: does the element give an answer at all? (answering_checks.cpp)
 Finding makes_elements(Bench&);
 Finding no_exception_escapes(Bench&);
 Finding evaluates_without_error(Bench&);

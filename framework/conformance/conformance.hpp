@@ -25,7 +25,7 @@ struct CheckResult {
   std::string name;  // name of the check, such as "force-is-gradient"
   bool passed = false, skipped = false;
   bool depends = false;          // whether it was skipped because a check on which it depends failed
-  double figure = 0, limit = 0;  // the worst figure and its limit; both zero for yes-or-no checks
+  double figure = 0, limit = 0;  // worst figure, and the largest allowed one; 0: a yes-or-no check
   std::string detail;            // where the worst figure occurred, or why the check was skipped
   std::string hint;              // a likely cause of the failure
 };

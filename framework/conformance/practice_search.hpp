@@ -9,7 +9,7 @@
 
 namespace netloft::conformance {
 
-/// Fills memory that must not be written.
+/// The byte with which checks fill memory that a strategy must not write.
 inline constexpr char kUntouched = 0x5a;
 
 /// A scene for the strategies under test.

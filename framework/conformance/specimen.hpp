@@ -121,7 +121,7 @@ void turn_ground(States& states, double angle);
 void reflect_ground(States& states);
 
 bool wants_matrix(std::uint32_t want);
-/// Names the requested results: "energy + force + tangent".
+/// Writes the results that `want` requests from a term in words: "energy + force + tangent".
 std::string want_text(std::uint32_t want);
 /// All combinations of outputs that the host requests from a term.
 std::vector<std::uint32_t> wants_of(const netloft_term& term);

@@ -52,7 +52,7 @@ struct JudgedPoint {
   std::vector<double> memory;  // memory of the elements
 };
 
-/// The point and its remaining Newton step, as input of linear_motion.hpp.
+/// The assessed point and its remaining Newton step, in the form that linear_motion.hpp reads.
 RestPlace rest_place(const Assessment& a, double gear_size);
 
 /// Whether forces balance, stable or not.

@@ -17,7 +17,7 @@ struct StartPoint {
 };
 
 /// The reason why a solver cannot work on problems with these traits (traits_of), for example because it
-/// needs an energy. nullopt if the solver can.
+/// needs an energy; nullopt if the solver can work on them.
 std::optional<std::string> why_unfit(const SolverType& solver, std::uint32_t problem_traits);
 
 /// Lets `solver` find the static equilibrium of a scene, and assesses its final point, including its distance

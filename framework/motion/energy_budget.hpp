@@ -44,7 +44,8 @@ class EnergyBudget {
   void retract();
   /// Evaluates the forces of the last state again, after elements have stored it in their memory.
   bool refresh() { return find_forces(now_); }
-  /// Replaces the last state by the same state with other rotation vectors of the same rotations.
+  /// Replaces the last state by one in which the same rotations of bodies have other (shorter) rotation
+  /// vectors.
   bool restate(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a);
 
   /// Names and values [J], in the same order.
@@ -62,8 +63,8 @@ class EnergyBudget {
   void set_sums(std::span<const double> sums);
 
  private:
-  /// The account of all active terms with one name. `value` is their current energy, or, for terms without an
-  /// energy, the sum of their work.
+  /// The energies or works of all active terms that have the same name, such as "drag", as one account.
+  /// `value` is their current energy, or, for terms without an energy, the sum of their work.
   struct Account {
     std::string name;
     std::vector<std::pair<std::size_t, std::size_t>> terms;  // indices of family and term

@@ -56,7 +56,7 @@ class EnergyJudge {
     return text;
   }
 
-  /// The complete state of the judge.
+  /// The sums and maxima of (1) to (3), from which a resumed march continues the judgement.
   const std::vector<double>& sums() const { return sums_; }
   void set_sums(std::span<const double> sums) { sums_.assign(sums.begin(), sums.end()); }
 

@@ -31,10 +31,11 @@ class EnergyWatch {
   bool examine(TransientProblem& problem, const MarchState& from, const MarchState& to, double t,
                double& error);
   void accept() { judge_ = tried_; }
-  /// Replaces the last state by the same state with other rotation vectors of the same rotations.
+  /// Replaces the last state by one in which the same rotations of bodies have other (shorter) rotation
+  /// vectors.
   bool restate(const MarchState& state);
-  /// Stores the data from which a march continues. `refreshes`: elements have stored the state in their
-  /// memory, so that their forces are evaluated again.
+  /// Stores, in the state of the march, the sums from which a resumed march continues. `refreshes`: elements
+  /// have stored the state in their memory, so that their forces are evaluated again.
   void keep_in(MarchState& state, bool refreshes);
 
   /// Whether the motion contains energy that nothing supplied.

@@ -42,7 +42,7 @@ struct MarchState {
   std::string remark;   // about the start, to be appended to the reason; empty: none
   double t_before = 0;  // beginning of the last step, needed to compare marches between the ends of steps [s]
   std::vector<double> u_before, v_before;  // state at t_before [m], [m/s]
-  std::vector<MarchState> other;           // state of the march for comparison, if there is one
+  std::vector<MarchState> other;           // at most one: state of the march for comparison
   std::string why_lost;                    // why the march for comparison failed; empty: it did not
   // Largest error so far by (1) of achieved_accuracy.hpp [m], and its time [s]; NaN: not compared yet.
   double path_error = std::numeric_limits<double>::quiet_NaN(), path_at = 0;

@@ -11,7 +11,8 @@ class ShownState {
   ShownState(const Assembler& assembler, double mass_damping) : moving_(assembler, mass_damping) {}
 
   void show(const MarchState& at);
-  /// Interpolates by a cubic from positions and velocities at both ends of a step, at a time t between them.
+  /// Makes the state at a time t within a step the shown one, by cubic interpolation from the positions and
+  /// velocities at both ends of the step.
   void show_between(const MarchState& begin, const MarchState& end, double t);
 
   std::span<const double> u() const { return u_; }

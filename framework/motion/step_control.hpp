@@ -32,9 +32,10 @@ class StepControl {
   /// The step length of the settings. If the settings give no length, it is the time in which the
   /// acceleration a moves a node by the allowed error.
   double first_step(std::span<const double> a) const;
-  /// Length of the next step by (1), after a step h with this error relative to the tolerance.
+  /// Length of the next step by (1), after a step of length h with the error `error`, relative to the allowed
+  /// one.
   double next_step(double h, double error) const;
-  /// Length of the next attempt by (1), after a rejected step h.
+  /// Length of the next attempt by (1), after a step of length h was rejected for the error `error`.
   double shorter_step(double h, double error) const;
   /// Determines the longest stable step from two matrices: the linear stiffness, in which all members are
   /// taut, and the tangent, which includes stiffnesses that the linear stiffness does not bound.

@@ -66,7 +66,7 @@ struct MarchResult {
   Statistics statistics;
 };
 
-/// Receivers of reports. Both may be empty.
+/// Functions that a march calls to report outputs and steps. Both may be empty.
 struct MarchWatch {
   std::function<void(const Snapshot&)> on_output;
   std::function<bool(const StepRecord&, std::span<const double> u)> on_step;  // true: stop the march

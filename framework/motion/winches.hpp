@@ -42,7 +42,7 @@ class Winches {
   void add_corners(std::vector<double>& times) const;
   /// Sets the rope lengths that elements read to those of the last step.
   void restore();
-  /// Begins an attempted step, with the speeds of the last step.
+  /// Begins an attempted step, for which winches first keep the speeds of the last step.
   void begin(double t, double h);
   /// Whether some winch holds a tension in this step, so that `judge` has to be called.
   bool hold_tensions() const { return !holding_.empty(); }

@@ -63,7 +63,7 @@ std::vector<T> read_array(const T* from, std::uint32_t count) {
 
 /// An element type: the plugin's description, checked and copied to the layout of this program.
 struct ElementType {
-  std::string type;  // such as "rope/bar"
+  std::string type;  // name of the type, such as "rope/bar"
   netloft_element element{};
   std::vector<netloft_parameter> parameters;
   std::vector<netloft_datum> data;
@@ -71,10 +71,10 @@ struct ElementType {
   std::vector<netloft_output> outputs;
   std::vector<netloft_law_slot> laws;
   std::vector<netloft_global> globals;
-  netloft_element_members members{};   // all zeros: the element has no members
-  std::uint32_t state_width = 0;       // numbers that each element remembers
-  const char* rides_on = nullptr;      // element on whose pairs the host creates this one; nullptr: users do
-  std::vector<ExtensionInput> inputs;  // inputs of its tiles, in the order of its list
+  netloft_element_members members{};  // all zeros: the element has no members
+  std::uint32_t state_width = 0;      // numbers that each element remembers
+  const char* rides_on = nullptr;  // element on whose pairs the host makes this one; nullptr: users make it
+  std::vector<ExtensionInput> inputs;  // inputs of tiles, in the order that the element lists
   const PluginOrigin* origin = nullptr;
 
   /// Number of nodes of the scene that an element has. In a tile, the rotation of a body and the shared

@@ -15,7 +15,7 @@ namespace netloft {
 /// Whether this program supports an extension of the plugin interface, such as "netloft.waves/1".
 bool has_extension(std::string_view id);
 
-/// The data of extensions that an element may list as inputs of its tiles.
+/// The extensions whose data an element may list as inputs of its tiles.
 enum class ExtensionInput { none, ground, waves, memory };
 
 /// Returns the input with this identifier, or `none` if this program does not know it.

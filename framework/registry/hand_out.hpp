@@ -21,8 +21,8 @@ void hand_out(const T& own, T& theirs, std::size_t least) {
   theirs.size = static_cast<std::uint32_t>(room);
 }
 
-/// Sizes of the structs in the first versions of "netloft.solver/1" and "netloft.strategy/1", up to their
-/// last function.
+/// Sizes that netloft_problem and netloft_members had, up to their last function, in the first versions of
+/// "netloft.solver/1" and "netloft.strategy/1".
 inline constexpr std::size_t kFirstProblem = offsetof(netloft_problem, evaluate_both) + sizeof(void*),
                              kFirstMembers = offsetof(netloft_members, progress) + sizeof(void*);
 

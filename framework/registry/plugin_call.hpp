@@ -16,25 +16,25 @@ struct CallFrame {
   // host in turn.
   enum class Kind : std::uint32_t { host, element, method };
   const char* type = nullptr;  // component, such as "rope/bar"
-  const char* what = nullptr;  // its function: "term", "create", "solve"
+  const char* what = nullptr;  // function of the component: "term", "create", "solve"
   const char* name = nullptr;  // name of the term; may be nullptr
   Kind kind = Kind::host;
 };
 
-/// A call in words: "rope/bar, term elastic" or "newton/newton, solve".
+/// Writes a call in words: "rope/bar, term elastic" or "newton/newton, solve".
 std::string text_of(const CallFrame& frame);
 
 /// The nested calls of one thread, the outermost first. Only this thread writes, without a lock; other
 /// threads may read.
 class CallStack {
  public:
-  static constexpr std::uint32_t kDeepest = 24;  // calls nested deeper are not recorded
+  static constexpr std::uint32_t kDeepest = 24;  // number of nested calls that are recorded
 
   void push(const CallFrame& frame) noexcept;
   void pop() noexcept;
 
   std::uint32_t depth() const { return depth_.load(std::memory_order_acquire); }
-  /// Increases with every entry and exit; if it is unchanged, the same call is still running.
+  /// Number of times that a call began or ended. As long as it is unchanged, the same call is running.
   std::uint64_t crossings() const { return crossings_.load(std::memory_order_acquire); }
   /// Number of calls that methods made back to the host.
   std::uint64_t callbacks() const { return callbacks_.load(std::memory_order_relaxed); }
@@ -43,7 +43,7 @@ class CallStack {
   std::uint32_t lowest() const { return lowest_.load(std::memory_order_relaxed); }
   void watch_depth() { lowest_.store(depth(), std::memory_order_relaxed); }
   CallFrame at(std::uint32_t i) const;
-  /// The innermost call; a frame of the host if no plugin is running.
+  /// The innermost call; a frame of the kind `host` if no plugin is running.
   CallFrame innermost() const;
   /// The innermost call into a plugin that has not returned yet, even if the plugin is calling back into the
   /// host; nullopt if no plugin is being called.
@@ -62,15 +62,16 @@ class CallStack {
 /// The calls of this thread. The first use sets a separate stack for signal handlers. The reference remains
 /// valid; threads beyond the first 128 share one object and are not distinguished.
 CallStack& calls_of_this_thread() noexcept;
-/// The calls of this thread, for signal handlers; nullptr if there were none.
+/// The calls of this thread, for signal handlers, which may not allocate; nullptr if the thread made no call
+/// yet.
 const CallStack* known_calls_of_this_thread() noexcept;
-/// The calls of every thread that has made some, beginning with the first such thread.
+/// The call stacks of all threads that have made a call, in the order of their first calls.
 std::vector<CallStack*> calls_of_all_threads();
 
 /// Stops every other thread for ever, as soon as it enters or leaves a plugin. This thread then has exclusive
 /// access to the data that the host uses during calls of plugins.
 void stop_others_at_the_boundary() noexcept;
-/// Number of threads that have been stopped in this way.
+/// Number of threads that stop_others_at_the_boundary() has stopped so far.
 int threads_at_the_boundary() noexcept;
 
 namespace detail {

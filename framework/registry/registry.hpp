@@ -38,7 +38,8 @@ class Registry {
   const LawType& law(const std::string& type);
   const PluginContent& plugin(const std::string& name);
 
-  /// Names of all plugins that could be opened, sorted. This opens no plugin. Each folder is searched once.
+  /// Names of all plugins in the searched folders and in the program, sorted. This function opens none of
+  /// them, and searches each folder only once.
   std::vector<std::string> available() const;
   /// Plugins opened so far.
   std::vector<const PluginOrigin*> opened() const;

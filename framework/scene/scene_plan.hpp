@@ -8,7 +8,7 @@
 
 namespace netloft {
 
-/// One term of a family: whether it acts in this scene, and why.
+/// The decision whether a term of a family acts in this scene, and the reason.
 struct TermPlan {
   std::string name, doc;
   std::uint32_t traits = 0;
@@ -17,7 +17,7 @@ struct TermPlan {
   bool when_it_moves = false;  // inactive in statics, but acts if a small disturbance moves the gear
 };
 
-/// The law in one slot of a family.
+/// The law that the elements of a family use in one slot.
 struct LawPlan {
   std::string slot;
   const LawType* type = nullptr;
@@ -28,7 +28,7 @@ struct LawPlan {
 /// used: all, the symmetric part, or none.
 enum class TangentChoice { exact, symmetric, elastic };
 
-/// Statics, or motion in time.
+/// The two kinds of analysis: equilibrium at rest, or motion in time.
 enum class AnalysisKind { statics, dynamics };
 
 /// An unknown that all elements of a part share.

@@ -29,7 +29,7 @@ struct KnownStage {
   // For a strategy only:
   bool has_solution = true;  // whether the strategy solved some stage of its own scene
   netloft_ending ending = NETLOFT_ENDED_NOT_CONVERGED;
-  int unsettled = 0;  // number of its stages that did not come to rest
+  int unsettled = 0;  // number of the strategy's stages that did not come to rest
 };
 
 /// Stores the results of stages in a search, so that no stage is solved twice. A strategy that ran out of
@@ -43,7 +43,7 @@ class KnownStages {
  public:
   explicit KnownStages(std::size_t most) : most_(most) {}
 
-  /// The stored result, or nullptr if there is none.
+  /// The stored result of this request, or nullptr if there is none.
   const KnownStage* find(const StageRequest& request);
   /// Stores a result without its cost and history. It replaces an earlier result of the same request.
   void keep(KnownStage stage);

@@ -80,7 +80,7 @@ class MemberProblem {
   std::vector<MemberSite> sites_;
   std::vector<MemberWeights> weights_;    // weights of each member
   std::vector<double> x_, step_;          // over all degrees of freedom
-  std::vector<double> tangent_, values_;  // tangent of r; matrix of (1)
+  std::vector<double> tangent_, values_;  // values of two matrices: the tangent of r, and the matrix of (1)
 };
 
 }  // namespace netloft

@@ -27,7 +27,7 @@ class RunningSearch {
 
   /// The best answer; if there is none, the stage of the scene itself that came closest to balance.
   Solution best() const;
-  /// Returns best() with the reason why there is no answer.
+  /// Returns best() and, if the strategy gave no answer, adds the reason to it.
   Solution explained() const;
   /// Whether some stage of the scene itself has been solved.
   bool has_any() const { return equilibria_.has_any() || closest_.has_value(); }
@@ -57,7 +57,7 @@ class RunningSearch {
   SearchHost& host_;
   netloft_variant scene_;
   std::shared_ptr<VariantProblem> variant_problem_;  // the problem of scene_
-  // unit_: work of one iteration of its scene, in iterations of the original scene.
+  // unit_: work of one iteration of scene_, in iterations of the original scene.
   double tolerance_, budget_, begun_, unit_;
   netloft_search interface_{};
   char message_[256] = "";

@@ -20,7 +20,7 @@ class SearchHost {
 
   /// The solver of a stage. Throws std::invalid_argument if its parameters are wrong.
   SolverUse solver_of(const netloft_stage& stage) const;
-  /// Parameters from the user for a solver or a strategy.
+  /// Parameters that the user gave for a solver or strategy of this type.
   Values given_of(const std::string& type) const;
   /// Limits of a stage: tolerance and budget of the stage, other limits of the search.
   Limits limits_of(const netloft_stage& stage, const VariantProblem& variant_problem);

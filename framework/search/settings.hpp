@@ -15,7 +15,8 @@ void set_factors(Scene& scene, std::span<const double> factors);
 /// Sum of the data of a setting over the elements of its part, such as the length of a rope.
 double amount_of(const Scene& scene, const Setting& setting);
 
-/// An equilibrium of a scene for given factors, and the reactions at the nodes of its settings [N].
+/// An equilibrium of a scene whose settings have given factors, and the reactions at the nodes of the
+/// settings [N].
 struct SetEquilibrium {
   Solution solution;
   std::vector<double> reactions;  // reaction of each setting; empty: no equilibrium was found

@@ -5,7 +5,7 @@
 
 namespace netloft {
 
-/// The original scene.
+/// The variant that is the original scene itself, as its author wrote it.
 netloft_variant as_written();
 bool is_as_written(const netloft_variant& variant);
 bool is_same(const netloft_variant& a, const netloft_variant& b);

@@ -43,13 +43,13 @@ inline const double* surface_of(const netloft_tile& t) {
   const auto* waves = detail::input<netloft_waves>(t, detail::kWavesPlace);
   return waves ? waves->surface : nullptr;
 }
-/// The memory of the last accepted step, [width][64]. Trait: reads_state.
+/// The numbers that elements remember from the last accepted step, [width][64]. Trait: reads_state.
 inline const double* state_of(const netloft_tile& t) {
   const auto* memory = detail::input<netloft_remembered>(t, detail::kMemoryPlace);
   return memory ? memory->state : nullptr;
 }
-/// The array for the next memory, which replaces state_of() if this step is accepted, [width][64]. Trait:
-/// reads_state.
+/// The array [width][64] to which a term writes the next memory, which replaces that of state_of() if the
+/// step is accepted. Trait: reads_state.
 inline double* new_state_of(const netloft_tile& t) {
   const auto* memory = detail::input<netloft_remembered>(t, detail::kMemoryPlace);
   return memory ? memory->state_new : nullptr;

@@ -38,15 +38,16 @@ class Motion {
   std::span<double> next_v() { return {m_.v_new, size()}; }
   std::span<double> next_a() { return {m_.a_new, size()}; }
   std::span<double> error() { return {m_.error, size()}; }
-  /// A vector for the integrator's own use.
+  /// Working memory, as long as the vector of unknowns. It keeps its numbers from step to step for each
+  /// `index`.
   std::span<double> scratch(std::uint32_t index) { return {m_.scratch(m_.host, index), size()}; }
 
-  /// F [N].
+  /// Computes the residual r = F(t, u, v, a) [N].
   Step residual(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a,
                 std::span<double> r) {
     return checked(m_.residual(m_.host, t, u.data(), v.data(), a.data(), r.data()));
   }
-  /// Finds the a for which F vanishes.
+  /// Finds the acceleration a for which F(t, u, v, a) vanishes.
   Step accelerate(double t, std::span<const double> u, std::span<const double> v, std::span<double> a) {
     return checked(m_.accelerate(m_.host, t, u.data(), v.data(), a.data()));
   }

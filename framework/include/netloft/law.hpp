@@ -23,7 +23,7 @@ struct Flow {
   double density = 0, viscosity = 0;  // properties of the water [kg/m3], [m2/s]
 };
 
-/// Arrays for 64 calls of a law, in the layout of tiles of elements.
+/// Arrays with the flows of 64 elements, in the layout of tiles, for one call of a law.
 struct FlowLanes {
   double flow[3][kLanes], direction[3][kLanes], diameter[kLanes], solidity[kLanes];
   double force[3][kLanes], d_flow[9][kLanes], d_direction[9][kLanes], d_solidity[3][kLanes];

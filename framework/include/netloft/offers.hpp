@@ -28,7 +28,7 @@ class Offers {
   auto& rows(const char* id) {
     return of<Rows<List>>(id).rows;
   }
-  /// Returns the offer with this identifier, or nullptr if there is none.
+  /// Returns the struct that is offered under this identifier, or nullptr if there is none.
   const void* find(const char* id) const {
     for (const auto& offer : offers_)
       if (std::strcmp(offer->id, id) == 0) return offer->get();

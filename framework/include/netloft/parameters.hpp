@@ -28,7 +28,8 @@ struct Real {
   double lo = -std::numeric_limits<double>::infinity();
   double hi = std::numeric_limits<double>::infinity();
   double fallback = std::numeric_limits<double>::quiet_NaN();
-  // Name of an earlier parameter; `fallback` is then a factor on its value.
+  // Name of an earlier parameter of the table. The default is then the value of that parameter times
+  // `fallback`.
   const char* fallback_of = nullptr;
   Role role = Role::plain;
 };

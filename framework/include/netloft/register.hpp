@@ -75,7 +75,8 @@ class Plugin {
     return table;
   }
 
-  /// A table. It is converted later, because it is complete only after the author's function has returned.
+  /// A table of a component. It is converted when the plugin is complete, because the author's function may
+  /// still add to the table.
   struct Pending {
     virtual ~Pending() = default;
     virtual void describe(Plugin& plugin) const = 0;
@@ -102,7 +103,7 @@ class Plugin {
 };
 
 namespace detail {
-/// The plugin that the function Describe describes.
+/// The one plugin that an author describes by the function Describe.
 template <void (*Describe)(Plugin&)>
 Plugin& plugin_of() {
   static Plugin plugin;

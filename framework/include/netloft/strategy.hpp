@@ -108,7 +108,7 @@ struct Stage {
   /// not defined there, or if another strategy was called and solved no stage of that variant; `u` is then
   /// the initial guess.
   bool has_forces() const { return load > 0; }
-  /// Whether forces balance, stable or not.
+  /// Whether the end of the stage is an equilibrium, stable or unstable.
   bool is_stationary() const { return ending == Ending::converged || ending == Ending::unstable; }
   bool has_converged() const { return ending == Ending::converged; }
   /// Whether the stage used up its budget after some work. This is false if it had no budget to begin with.
@@ -116,7 +116,7 @@ struct Stage {
   /// Whether the equilibrium has a flutter instability, an oscillation that grows: a motion from there does
   /// not come to rest nearby.
   bool flutters() const { return ending == Ending::unstable && growth_frequency > 0; }
-  /// Largest residual over the largest load.
+  /// Largest residual divided by the largest load.
   double imbalance() const { return has_forces() ? residual / load : residual > 0 ? 1 : 0; }
 };
 

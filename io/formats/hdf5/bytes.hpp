@@ -14,7 +14,7 @@ namespace netloft::formats {
 static_assert(std::endian::native == std::endian::little,
               "journals are little-endian, and written as they are");
 
-/// The number at a position, which need not be aligned.
+/// The number that begins at byte `place`, which need not be aligned.
 template <class Number>
 Number number_at(std::string_view bytes, std::size_t place) {
   Number value;

@@ -40,7 +40,7 @@ class Journal {
   static Journal go_on(const std::filesystem::path& path, const Visit& visit);
 
   const std::filesystem::path& path() const { return path_; }
-  /// The damage at which go_on() stopped reading; empty if there is none.
+  /// A sentence about the damage at which go_on() stopped reading; an empty text if the file is not damaged.
   const std::string& damage() const { return damage_; }
   /// The name under which the first append() after damage keeps the old file.
   std::filesystem::path path_of_damaged() const { return path_.string() + "~"; }

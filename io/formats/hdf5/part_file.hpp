@@ -7,7 +7,7 @@
 
 namespace netloft::formats {
 
-/// An HDF5 file that grows as NAME.hdf.part and takes its name only when it is complete.
+/// An HDF5 file that is written as NAME.hdf.part and gets its final name, NAME.hdf, only when it is complete.
 ///
 ///   construct   creates NAME.hdf.part, or replaces that of a dead writer; throws if its writer is alive
 ///   finish()    appends checksums (seal.hpp), renames NAME.hdf to NAME.hdf~, and the .part to NAME.hdf;

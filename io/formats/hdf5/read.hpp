@@ -24,11 +24,11 @@ class Reader {
   void require_known_format() const;
 
   bool has(const std::string& path) const;
-  /// Whether the path is a group; false if it does not exist.
+  /// Whether a group exists at the path.
   bool is_group(const std::string& path) const;
   /// Names in a group, sorted.
   std::vector<std::string> list(const std::string& group) const;
-  /// The extents of a dataset; empty for a scalar.
+  /// The extents of a dataset along its dimensions; an empty list for a scalar.
   std::vector<std::size_t> shape(const std::string& path) const;
   bool holds_reals(const std::string& path) const;
 

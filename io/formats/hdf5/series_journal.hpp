@@ -62,7 +62,8 @@ class SeriesJournal {
   /// An HDF5 image of the inputs of the run; empty if there is none.
   const std::string& origins() const { return origins_; }
   const SeriesStatus& status() const { return status_; }
-  /// The damage that go_on() found in the middle of the file; empty if there is none.
+  /// A sentence about the damage that go_on() found in the middle of the file; an empty text if there is
+  /// none.
   const std::string& damage() const { return journal_->damage(); }
   std::filesystem::path path_of_damaged() const { return journal_->path_of_damaged(); }
   /// Number of valid outputs.
@@ -78,7 +79,8 @@ class SeriesJournal {
 
   /// Writes an output. Once this returns, the output survives a kill of the program.
   void write(const SeriesState& state, const std::string& checkpoint);
-  /// Throws FileError if the continued run would write other fields than the earlier run.
+  /// Throws FileError unless `layout`, that of the continued run, has the same fields as the layout in the
+  /// journal.
   void require_layout(const SeriesLayout& layout) const;
   void set_status(const SeriesStatus& status);
   void remove() { journal_->remove(); }

@@ -75,7 +75,7 @@ class Tree {
   Handle links_, datasets_, strings_, transfer_;  // properties, and the type of strings; created when needed
 };
 
-/// The type of strings: UTF-8 with variable length.
+/// The HDF5 type of all strings that are written: UTF-8 with variable length.
 Handle make_string_type();
 /// Writes or replaces an attribute on an open object.
 void put_attribute(hid_t object, const std::string& name, hid_t file_type, hid_t memory_type,

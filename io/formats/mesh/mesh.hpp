@@ -46,7 +46,7 @@ struct InputMesh {
   const MeshRegion* find(const std::string& region) const;
 };
 
-/// A fault of one element that can be found without looking at other elements.
+/// A fault that an element of a mesh has by itself, whatever the other elements are.
 struct ElementFault {
   bool is_of_nodes;  // whether the fault is in the nodes; otherwise in the numbers
   const char* message;

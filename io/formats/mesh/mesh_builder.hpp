@@ -14,15 +14,15 @@ class MeshBuilder {
   explicit MeshBuilder(Diagnostics& diagnostics)
       : diagnostics_(diagnostics), errors_before_(diagnostics.errors()) {}
 
-  /// Whether the reader should continue; false after fifty errors.
+  /// Whether a reader should continue with its file: true until fifty errors were reported.
   bool goes_on() const { return errors() < 50; }
   int errors() const { return diagnostics_.errors() - errors_before_; }
   void error(const Place& place, const std::string& message, const std::string& hint = {}) {
     diagnostics_.error(place, message, hint);
   }
 
-  /// Reads a coordinate in metres or in meshes. Reports an error and returns 0 if the word is no number or
-  /// beyond a million.
+  /// Converts a word to a coordinate, in metres or in meshes. Reports an error and returns 0 if the word is
+  /// no number or beyond a million.
   double real(std::string_view word, const Place& place);
   void add_coordinate(double x, const Place& place);
 

@@ -16,7 +16,7 @@ struct Word {
   Place place;
 };
 
-/// A number in any notation of programs: 1, 1.5, .5, 3., 1e-3, 1.D-3. Nothing for hexadecimal numbers,
+/// A number in any notation of programs: 1, 1.5, .5, 3., 1e-3, 1.D-3. nullopt for hexadecimal numbers,
 /// infinity, NaN and other texts.
 std::optional<double> number_in(std::string_view text);
 std::optional<std::int64_t> integer_in(std::string_view text);

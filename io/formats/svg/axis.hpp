@@ -4,7 +4,7 @@
 
 namespace netloft::formats {
 
-/// One axis of a plot: the positions of values, and the ticks.
+/// One axis of a plot: determines where on the axis values and ticks are drawn.
 class Axis {
  public:
   struct Tick {

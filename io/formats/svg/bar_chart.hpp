@@ -5,8 +5,8 @@
 
 namespace netloft::formats {
 
-/// A chart of groups of rows. Each row has one bar per kind; a bar begins at zero and has a whisker for its
-/// error.
+/// A bar chart, whose rows form groups. A row has one bar for each kind of value; a bar begins at zero, and a
+/// whisker shows the error of its value.
 struct BarChart {
   struct Bar {
     double value, error;

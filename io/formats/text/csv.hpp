@@ -10,7 +10,7 @@ namespace netloft::formats {
 /// = + - or @, gets an apostrophe before it (OWASP, "CSV Injection"); numbers are no formulas.
 std::string csv_field(const std::string& text);
 
-/// A number as a cell; empty if it is not known.
+/// A number as a cell of comma-separated values; an empty cell if the number is not known (NaN).
 std::string csv_number(double value);
 
 }  // namespace netloft::formats

@@ -40,8 +40,8 @@ std::vector<Change> read_changes(const std::vector<std::string>& texts);
 /// value are reported as for the corresponding `--set`.
 Change make_change(std::initializer_list<std::string_view> keys, Value value);
 
-/// Whether `change` undoes the `earlier` change completely: it replaces the same value, or a table around
-/// this value, by something else.
+/// Whether `change` makes the `earlier` change ineffective, because it replaces the same value or a table
+/// that contains it.
 bool undoes(const Change& change, const Change& earlier);
 
 /// Applies a change to a document. Reports a fault of the change, and a path that does not fit the document.

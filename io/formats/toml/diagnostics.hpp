@@ -45,7 +45,7 @@ class Diagnostics {
   int append(const Diagnostics& other);
   /// A copy with the same sources and without messages.
   Diagnostics without_messages() const;
-  /// Adds the messages of another instance with the same sources.
+  /// Adds messages whose places refer to the sources of this object.
   void take_messages(const std::vector<Diagnostic>& messages);
   /// All messages, in the order in which they were added.
   const std::vector<Diagnostic>& messages() const { return entries_; }

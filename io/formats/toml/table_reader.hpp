@@ -129,7 +129,7 @@ class TableReader {
   /// once, and reading it causes no further messages.
   TableReader table(std::string_view key, Presence presence = Presence::required,
                     const std::string& doc = {});
-  /// Opens the tables of `[[hold]]`, with one reader each.
+  /// Opens an array of tables, such as `[[hold]]`, and returns a reader for each table.
   std::vector<TableReader> tables(std::string_view key, Presence presence = Presence::optional,
                                   const std::string& doc = {});
 

@@ -17,7 +17,7 @@ namespace netloft::formats {
 /// as a date, and leaks memory at every syntax error.
 struct ParsedUnit {
   std::optional<Unit> unit;  // nullopt if the text cannot be read
-  std::string unknown;       // the unknown word; empty after an error of grammar
+  std::string unknown;       // the word that is no unit; empty: an error of grammar
 };
 
 ParsedUnit parse_unit(const UnitSystem& system, std::string_view text);

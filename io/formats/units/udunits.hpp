@@ -31,7 +31,7 @@ class UnitSystem {
   /// (known_words.hpp); if UDUNITS2_XML_PATH is set, it reads that database immediately.
   static const UnitSystem& shared();
 
-  /// A sentence about the error if the database could not be read; empty if it was read, or has not been
+  /// The reason why the database could not be read, as a sentence; an empty text if it was read, or was not
   /// needed yet.
   const std::string& trouble() const { return trouble_; }
 

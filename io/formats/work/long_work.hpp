@@ -41,8 +41,8 @@ class LongWork {
   LongWork& operator=(const LongWork&) = delete;
 };
 
-/// Reports a step of the current work to the follower, if there are both. Throws Interrupted if the work is
-/// to end.
+/// Reports a step of the current work to the follower, if there is a follower and work has begun. Throws
+/// Interrupted if the work is to end.
 void report(const Step& step);
 /// Throws Interrupted if the work is to end; for calls within a step that takes long.
 void hear_interruption();

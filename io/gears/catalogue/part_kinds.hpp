@@ -32,7 +32,7 @@ std::span<const PartKind> part_kinds();
 const PartKind* find_kind(std::string_view name);
 /// Names of the kinds that a scene may give under `key`: "rope" → rope, wire, chain.
 std::vector<std::string> kinds_under(std::string_view key);
-/// Every `key` of part_kinds() once: twine, rope, float, board.
+/// All keys under which a scene may name catalogue parts, each once: twine, rope, float, board.
 std::vector<std::string> part_keys();
 
 }  // namespace netloft::gears

@@ -9,7 +9,7 @@ namespace netloft::gears {
 /// One side of a cloth: an edge of an outline, or half of an edge that crosses the middle.
 struct ClothSide {
   std::size_t cloth = 0;
-  EdgeRef edge;              // unused for the line between both halves of a middle panel
+  EdgeRef edge;              // edge of the outline; unused if `is_inside`
   bool is_inside = false;    // whether it is the line between both halves of a middle panel
   bool is_reversed = false;  // whether it runs against the direction of the outline's edge
   EdgeKind kind{};

@@ -8,7 +8,7 @@ namespace netloft::gears {
 /// positions, tensions, the ship, and places in files.
 NetPlan geometry_of(const NetPlan& plan);
 
-/// The input of a division.
+/// The data on which the division of a gear into elements depends.
 struct DivisionInput {
   NetPlan geometry;
   Extent extent = Extent::whole;

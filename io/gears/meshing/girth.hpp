@@ -39,7 +39,7 @@ class Girth {
   // Side edges that are sewn to their mirror image, by panel: the girth begins or ends there, in the middle
   std::vector<std::vector<EdgeRef>> folds_;
   std::vector<double> aft_, around_;
-  std::vector<double> own_;  // half girth through the node; 0: unknown
+  std::vector<double> own_;  // half girth through each node [m]; 0: not known
   std::vector<int> side_;
   std::vector<bool> covered_, closed_;
   std::vector<std::pair<double, double>> bottom_;  // distance aft and half girth, in ascending order

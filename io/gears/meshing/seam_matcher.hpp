@@ -7,7 +7,7 @@
 
 namespace netloft::gears {
 
-/// A point at a fraction of the length of a side.
+/// A point that divides a side of a cloth, at a fraction of the length of the side.
 struct Break {
   double fraction = 0;
   std::size_t point = 0;
@@ -30,7 +30,7 @@ struct SewnRows {
 struct Borders {
   const Cloths& cloths;
   EqualPoints points;
-  std::vector<std::vector<Break>> breaks;  // points of each side, increasing from 0 to 1
+  std::vector<std::vector<Break>> breaks;  // points on each side, with fractions increasing from 0 to 1
   std::vector<SewnRows> seams;             // both rows have the same number of runs between breaks
 
   std::size_t start(DirectedSide s) const {

@@ -45,7 +45,7 @@ void check_spans(const NetPlan& plan, const CheckLimits& limits, formats::Diagno
 /// twists the net. The plan must be free of errors.
 void check_seams(const NetPlan& plan, formats::Diagnostics& diagnostics);
 
-/// Numbers as net makers write them: 43, 25.8, +1.7 %.
+/// Numbers as net makers write them: 25.8 meshes, 12.35 m, +1.7 %; without the unit for meshes and metres.
 std::string in_meshes(double meshes);
 std::string in_metres(double metres);
 std::string in_percent(double fraction);

@@ -31,11 +31,12 @@ struct GearPanel {
 
   bool has_sketch() const { return !panel->sketch.empty(); }
   /// The position [m] of a point of the outline in the initial shape, interpolated between the four corners
-  /// that the plan gives as `sketch`.
+  /// in the plan (Panel::sketch).
   std::array<double, 3> sketched(PanelPoint point) const;
 };
 
-/// Refers to an edge of an outline by indices in Gear::panels.
+/// Refers to an edge of a panel, by the index of the panel in Gear::panels and that of the edge in its
+/// outline.
 struct EdgeRef {
   std::size_t panel = 0, edge = 0;
   bool operator==(const EdgeRef&) const = default;
@@ -67,7 +68,7 @@ struct GearRope {
   bool is_mirrored = false;
   double length = 0;                   // unstretched length [m]
   std::vector<HungEdge> hung;          // edges from its start to its end
-  std::array<std::string, 2> between;  // names in this gear of the points at its ends
+  std::array<std::string, 2> between;  // points at the ends of the rope, by their names in this gear
   std::string middle;  // point tied to its middle, if it lies across the middle of a whole gear
 };
 

@@ -29,7 +29,7 @@ struct EdgeSet {
 EdgeSet find_edge(const NetPlan& plan, const std::string& name, const formats::Place& place,
                   const std::string& path, formats::Diagnostics& diagnostics);
 
-/// The hangings of a plan by their rope; those of one rope keep the order of the plan.
+/// The hangings of a plan, by the name of the rope. The hangings of one rope keep the order of the plan.
 using HangingsByRope = std::multimap<std::string, const Hanging*>;
 HangingsByRope hangings_by_rope(const NetPlan& plan);
 

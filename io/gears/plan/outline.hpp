@@ -8,7 +8,7 @@ namespace netloft::gears {
 /// Panel::outline.
 Outline outline_of(const Panel& panel);
 
-/// The number of meshes that the cuttings give the aft edge of the whole panel.
+/// The number of meshes at the aft edge of the whole panel that follows from the fore edge and the cuttings.
 double aft_by_cuttings(const Panel& panel);
 
 }  // namespace netloft::gears

@@ -18,7 +18,7 @@ struct ChosenPart {
 ChosenPart read_part_choice(formats::TableReader& table, const char* key, const char* kind_key,
                             const Catalogue& catalogue);
 
-/// The functions below read the tables of a plan; each kind of table has its own source file.
+/// These functions read the tables of a plan. Each of them has its own source file.
 Panel read_panel(const std::string& name, formats::TableReader& table, const Catalogue& catalogue);
 /// Reads counts and sides of a panel from its corners, `corners = [[0, 0], [20, 0], [15, 10]]`.
 void read_corners(Panel& panel, formats::TableReader& table);

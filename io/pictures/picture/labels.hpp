@@ -6,7 +6,7 @@
 
 namespace netloft::pictures {
 
-/// A line on the sheet, and the length of its label [pixels].
+/// A line on the sheet that gets a label, and the length of the label [pixels].
 struct LabelledLine {
   Point3 from{}, to{};  // only x and y are used
   double words = 0;

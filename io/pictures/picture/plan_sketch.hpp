@@ -7,7 +7,7 @@
 namespace netloft::pictures {
 
 /// The outlines and names of the panels in their places on the plan, as SVG; only the modelled half of a half
-/// model. Empty if the result has no places of panels.
+/// model. An empty text if the result does not say where the panels are on the plan.
 std::string plan_sketch(const results::StoredShape& stored);
 
 }  // namespace netloft::pictures

@@ -12,7 +12,7 @@ struct SheetOptions {
   View view = View::oblique;
   Colouring colouring;
   std::size_t width = 1000;               // [pixels]
-  std::size_t state = std::string::npos;  // npos: the newest
+  std::size_t state = std::string::npos;  // index of the state; npos: the newest
   Framing framing = Framing::netting;
   bool with_dimensions = false;  // whether height and spreads are drawn as lines with their lengths
   bool is_dark = false;

@@ -14,7 +14,7 @@ std::string card_text(const results::NamedScalar& figure);
 std::string badge_html(const results::Result& result);
 
 /// The key figures with their errors, as boxes at the top of a page. For two results, a box has both values.
-/// Empty if there are none.
+/// An empty text if the results have no key figures.
 std::string key_figures_html(const std::vector<const results::Result*>& results);
 
 }  // namespace netloft::pictures

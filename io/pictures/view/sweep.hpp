@@ -7,10 +7,10 @@ namespace netloft::pictures {
 
 /// The setting that differs between the results of a sweep.
 struct Varied {
-  std::string name;                 // "tow.speed"; empty: no such setting
+  std::string name;                 // such as "tow.speed"; empty: no setting differs
   std::vector<std::string> values;  // value of each result, as written
-  std::vector<double> numbers;      // the leading numbers; NaN for a value without one
-  std::string unit = {};            // the text after the numbers, if it is the same in all results
+  std::vector<double> numbers;      // number at the beginning of each value; NaN if there is none
+  std::string unit = {};            // text after the number, if it is the same in all values
 };
 
 /// The properties of a result that the picture of a sweep needs: its command and its scene.

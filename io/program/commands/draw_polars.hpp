@@ -11,8 +11,8 @@ namespace netloft::program {
 bool holds_polars(const std::filesystem::path& file);
 
 /// Draws the polars of a catalogue file, coefficients of the force on boards over the angle of attack: the
-/// numbers in their tables, and the interpolated curves that otter boards are computed with. The result is
-/// SVG, or an HTML page with a plot of each polar.
+/// numbers in their tables, and the curves between these numbers with which otter boards are computed. The
+/// result is SVG, or an HTML page with a plot of each polar.
 std::string draw_polars(const std::filesystem::path& file, bool is_page, formats::Diagnostics& diagnostics);
 
 }  // namespace netloft::program

@@ -11,7 +11,8 @@ namespace netloft::program {
 int run_equilibrium(const RunOptions& options, Session& session, results::RunContext& context);
 int run_motion(const RunOptions& options, Session& session, results::RunContext& context);
 
-/// Displacements that move the gear to its shape in the result `file`. `key` names the option in errors.
+/// Displacements that move the gear to its shape in the result `file`. `key` is the option that names the
+/// file, for messages.
 std::vector<double> read_start(const std::string& file, const char* key, runs::PreparedScene& scene);
 
 }  // namespace netloft::program

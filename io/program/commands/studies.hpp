@@ -21,7 +21,7 @@ struct StudyPlanOptions : PluginOptions {
   std::string output;  // option -o
 };
 
-/// Options of `missing` and `collect`.
+/// Options of the actions `study missing` and `study collect`.
 struct StudyOptions : CommonOptions {
   std::string folder;  // argument FOLDER
 };

@@ -22,7 +22,7 @@ struct Component {
 
 std::vector<Component> components_of(const PluginContent& plugin);
 
-/// The rows of a parameter table, as JSON or as text.
+/// The parameters of a component, one per row of its table, as JSON or as text.
 Json parameter_json(std::span<const netloft_parameter> table);
 std::string parameter_text(std::span<const netloft_parameter> table);
 

@@ -13,8 +13,8 @@ void require_memory_to_solve();
 /// The forecast as text, without a line end: "memory: about 1.8 GiB, …".
 std::string memory_text(const runs::MemoryForecast& forecast, double within_reach);
 
-/// The forecast as text, before the solve; empty if it is a small fraction of the available memory. Throws
-/// std::runtime_error with a sentence if it exceeds that memory.
+/// The forecast of the memory of a solve as text; an empty text if the forecast is a small fraction of the
+/// available memory. Throws std::runtime_error with a sentence if it exceeds that memory.
 std::string note_of_memory(const runs::MemoryForecast& forecast, double within_reach);
 
 }  // namespace netloft::program

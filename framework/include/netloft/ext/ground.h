@@ -19,8 +19,8 @@ extern "C" {
                 (ext/memory.h), because friction that only slides needs none */
 #define NETLOFT_READS_BED (1u << 18) /* reads netloft_ground.bed if the scene has a bed */
 
-/* The place in netloft_tile.inputs points to this struct; it is null if there is neither a velocity nor a
- * bed. */
+/* The place in netloft_tile.inputs points to this struct; the pointer is null if the scene has neither
+ * a moving ground nor a bed. */
 typedef struct netloft_ground {
   uint32_t size;
   uint32_t reserved;

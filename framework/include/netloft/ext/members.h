@@ -27,7 +27,7 @@ typedef struct netloft_member {
   double number;             /* number of equal bars or twines that the member represents */
 } netloft_member;
 
-/* An element with such a term offers this struct. */
+/* An element that has a term with NETLOFT_OF_MEMBERS offers this struct. */
 typedef struct netloft_element_members {
   uint32_t size;
   uint32_t count; /* members of each element */

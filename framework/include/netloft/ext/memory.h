@@ -23,7 +23,8 @@ typedef struct netloft_memory {
   uint32_t width; /* numbers that an element remembers */
 } netloft_memory;
 
-/* The place in netloft_tile.inputs points to this struct; it is null if both arrays would be null. */
+/* The place in netloft_tile.inputs points to this struct; the pointer is null if both arrays would
+ * be null. */
 typedef struct netloft_remembered {
   uint32_t size;
   uint32_t reserved;
