@@ -28,7 +28,7 @@ class Meshes : public Levels {
   const scenes::LoadedScene& finest_;
   Registry& registry_;
   unsigned most_;
-  // Levels 1, 2, …; nullptr: the level does not exist.
+  // The scenes of levels 1, 2, …; nullptr where the level does not exist.
   std::vector<std::unique_ptr<scenes::LoadedScene>> coarser_;
 };
 

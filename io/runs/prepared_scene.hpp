@@ -59,7 +59,8 @@ class PreparedScene {
   const Assembler& assembler() const { return *assembler_; }
   Registry& registry() { return registry_; }
   const MakeFactorisation& factorisations() const { return make_; }
-  /// A sentence that says which loss factors of materials count, or why none does. Empty if no part has one.
+  /// A sentence that says which loss factors of materials count, or why none does. An empty text if no part
+  /// has a loss factor.
   const std::string& material_damping() const { return material_damping_; }
   const Seconds& seconds() const { return seconds_; }
 

@@ -181,7 +181,7 @@ Wrench<T> Otter::Force::force(const Parameters& p, const Data& d, const Whole& w
 
 namespace detail {
 
-/// f of (5); `depth` is δ/0.1 m, above zero.
+/// The dependence f of ploughing on depth, (5); `depth` is δ/0.1 m, above zero.
 template <class T>
 T resistance(const T& depth, double power) {
   using std::pow;

@@ -39,7 +39,7 @@ struct Front {
   struct Whole {
     double triangles = 0;
   };
-  /// I and w of (4).
+  /// The mean I of (4) for one triangle, and its derivatives w with respect to the distances of the corners.
   template <class T>
   struct Behind {
     T I{};

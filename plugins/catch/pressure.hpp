@@ -53,7 +53,7 @@ struct Pressure {
   struct Whole {
     double triangles = 0, length = 0;  // length: largest s [meshes]
   };
-  /// The fractions (5) and their derivatives with respect to m.
+  /// The filled fractions φ_i of (5) in one triangle, and their derivatives with respect to m.
   struct Fraction {
     std::array<double, 3> at{}, slope_at{};
     double value() const { return at[0] + at[1] + at[2]; }

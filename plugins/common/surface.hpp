@@ -19,9 +19,9 @@ namespace netloft::surface {
 struct Cube {
   double side;  // side h of the cube [m]
   double dry(double z) const { return side > 0 ? std::clamp(0.5 + z / side, 0.0, 1.0) : 0; }
-  /// d(1 − w)/dz.
+  /// Derivative of the dry fraction 1 − w with respect to z [1/m].
   double slope(double z) const { return 2 * std::abs(z) < side ? 1 / side : 0; }
-  /// Integral of 1 − w up to z.
+  /// Integral of the dry fraction 1 − w over the height, up to z [m].
   double dry_height(double z) const {
     const double emerged = std::clamp(z + 0.5 * side, 0.0, side);
     return side > 0 ? 0.5 * emerged * emerged / side + std::max(z - 0.5 * side, 0.0) : 0;

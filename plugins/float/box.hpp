@@ -30,13 +30,13 @@ struct Box {
   struct Data {
     double pieces = 0;  // number s of boxes
   };
-  /// d of (1) and its derivative with respect to z.
+  /// The immersed height d of (1), and its derivative with respect to z.
   struct Depth {
     double d, slope;
   };
 
   static void check(const Parameters& p, const Data& d);
-  /// `above` is z − η.
+  /// Returns the immersed height; `above` is the height of the node above the surface, z − η.
   static Depth immersed(const Parameters& p, double above);
 
   struct Buoyancy {

@@ -14,7 +14,7 @@ namespace netloft::priour {
 /// √(T/6EA), about 4 % of 1 − c_k at T = EA/100, and no tension below 6 EA closes the mesh. Source: derived
 /// for this program; the limit (1) is that of Priour's programs.
 struct KnotContact {
-  /// y of (2): 0 without contact.
+  /// The depth y of the contact by (2); 0 without contact.
   static double depth(const Triangle::Parameters& p, const Triangle::Data& d, const State<3>& s);
   static Status tile(const Family<Triangle>& family, netloft_tile& t);
   template <class T>

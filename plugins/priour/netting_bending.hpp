@@ -44,12 +44,12 @@ struct Bending {
     std::array<double, 2> bar_length{};  // bar lengths l₀ of both triangles [m]
   };
 
-  /// κ [N m] and M [m²] of (3), (6).
+  /// The numbers of a pair of triangles that its shape does not change: κ [N m] of (3) and M [m²] of (6).
   struct Flat {
     double kappa, M[2];
   };
   static Flat flat(const Parameters& p, const Data& d);
-  /// φ [rad].
+  /// The turning angle φ at the common edge [rad].
   static double turning_angle(const State<4>& s);
   static void check(const Parameters& p, const Data& d);
 

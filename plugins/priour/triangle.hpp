@@ -51,7 +51,7 @@ struct Triangle {
     bool slows = false;
   };
 
-  /// d of (1), for the first two corners and the corner `third`.
+  /// The determinant d of (1), for the first two corners and the corner `third`.
   template <std::size_t Corners>
   static double determinant(const std::array<double, Corners>& u, const std::array<double, Corners>& v,
                             std::size_t third = 2) {
@@ -62,7 +62,7 @@ struct Triangle {
     double a[3], b[3], bars;  // bars: |d|/2
   };
   static Shape shape(const Data& d);
-  /// N |d|/2.
+  /// Number of bars of each direction in the triangle, N |d|/2.
   static double bars(const Parameters& p, const Data& d) { return double(p.number) * shape(d).bars; }
   /// The bars along u (0) or v (1), stretched at state s.
   static axial::Bar stretch(int direction, const Parameters& p, const Data& d, const State<3>& s);
@@ -75,7 +75,7 @@ struct Triangle {
   /// Half the angle between Û and V̂ [rad].
   static double half_angle(const Data& d, const State<3>& s);
 
-  /// H of opening.hpp (1), as given or by the twines' bending stiffness [N·m/rad].
+  /// The opening stiffness H of opening.hpp (1), as given or by the twines' bending stiffness [N·m/rad].
   static double opening_stiffness(const Parameters& p, const Data& d);
   /// c_k of knot_contact.hpp (1), the cosine of the angle between the twines when knots touch.
   static double touching_cosine(const Parameters& p, const Data& d);

@@ -33,9 +33,10 @@ struct Bar {
     bool changes, is_weighed;  // whether some rope has a table; whether some rope has a weight in water
   };
 
-  /// σ of (2).
+  /// The factor σ of (2) on the length of the rope.
   static double factor_at(const netloft_table& table, double time);
-  /// (dσ/dt)/σ [1/s]. At the time of a row of the table, the rate is that of the segment before the row.
+  /// The relative rate at which the rope becomes longer, (dσ/dt)/σ [1/s]. At the time of a row of the table,
+  /// the rate is that of the segment before the row.
   static double growth_at(const netloft_table& table, double time);
   /// Returns the numbers of the bars at the time of the tile: `lanes` itself if no rope changes its length,
   /// else `room` with the lengths (2).

@@ -34,7 +34,7 @@ struct Bending {
   static double kappa(const Parameters& p, const Data& d) {
     return 4 * p.EI / (d.rest_length[0] + d.rest_length[1]);
   }
-  /// φ [rad].
+  /// The turning angle φ between the two bars [rad].
   static double turning_angle(const State<3>& s);
 
   struct Elastic {

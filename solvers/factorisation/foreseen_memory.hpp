@@ -13,7 +13,7 @@ class ForeseesMemory {
   virtual double factor_bytes() const = 0;
 };
 
-/// factor_bytes() of any factorisation; 0 if it cannot predict its memory.
+/// Returns factor_bytes() of a factorisation, or 0 if the factorisation cannot predict its memory.
 inline double factor_bytes_of(const Factorisation& factorisation) {
   const auto* foresees = dynamic_cast<const ForeseesMemory*>(&factorisation);
   return foresees ? foresees->factor_bytes() : 0;

@@ -43,7 +43,7 @@ constexpr std::ptrdiff_t eliminated_together(std::ptrdiff_t end) { return end & 
 /// less than a tenth of the norm of the entries below (threshold pivoting; Duff, Erisman, Reid 1986). The
 /// elimination stops if the columns of L₂₁ of one block together have a norm of more than 1/least_pivot.
 struct FrontKernels {
-  /// Computes (1); `exchanged[k]` is the row that row k was exchanged with.
+  /// Computes (1). `exchanged[k]` receives the row with which row k was exchanged.
   Elimination (*eliminate)(const FrontPanels& front, double least_pivot, std::int32_t* exchanged);
   /// Computes (2); the columns of C have the stride of `upper`.
   void (*update)(const FrontPanels& front, double* C);

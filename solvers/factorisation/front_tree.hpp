@@ -45,7 +45,7 @@ struct FrontTree {
   std::vector<Front> fronts;          // all fronts, and an additional one that marks the end
   std::vector<std::int32_t> other;    // unknowns of each front that are not its pivots, by place, ascending
   std::vector<std::int32_t> place;    // place of each `other` among the unknowns of the parent, pivots first
-  std::vector<UnknownRun> runs;       // `place` as runs of consecutive places
+  std::vector<UnknownRun> runs;       // the entries of `place`, as runs of consecutive places
   std::vector<std::int32_t> child_start, child;
   std::vector<FrontEntries> of_matrix;  // entries of all fronts, front by front
   MatrixBlocks matrix;

@@ -9,7 +9,7 @@
 
 namespace netloft {
 
-/// Uninitialised doubles that begin at a cache line. resize() throws std::bad_alloc.
+/// An array of doubles that begins at a cache line and is not initialised. resize() throws std::bad_alloc.
 class Room {
  public:
   void resize(std::size_t count);
@@ -52,7 +52,7 @@ class Fronts {
   void make_room();
   void forget_room();
   FrontPanels panels_of(std::size_t front);
-  /// C of (1) in front_tree.hpp.
+  /// The update of a front: C of (1) in front_tree.hpp, column by column.
   std::span<double> update_of(std::size_t front);
   void set_entries(std::size_t front);
   ChildUpdate left_by(std::size_t child);

@@ -10,7 +10,8 @@ namespace netloft {
 
 struct NodeGraph;
 
-/// `dissection`: recursive separators by METIS, then constrained minimum degree within and between them.
+/// Methods to order nodes. `dissection`: METIS separates the graph recursively, then constrained minimum
+/// degree orders the nodes of the pieces and of the separators.
 enum class OrderingMethod { best, amd, metis, dissection };
 
 /// An elimination order that keeps the factor sparse.
@@ -32,7 +33,7 @@ struct LargeNets {
 /// operations; for smaller nets it uses AMD only. Throws std::runtime_error if there is not enough memory.
 NodeOrdering order_nodes(const SparsePattern& pattern, OrderingMethod method = OrderingMethod::best,
                          LargeNets large = {});
-/// Orders an existing graph in the same way.
+/// Orders the nodes of a graph in the same way.
 NodeOrdering order_nodes(NodeGraph& graph, OrderingMethod method = OrderingMethod::best,
                          LargeNets large = {});
 

@@ -41,7 +41,7 @@ int threads_for(int threads);
 /// The files that a scene was read from.
 std::vector<std::string> paths_of(const scenes::LoadedScene& loaded);
 
-/// Facts for the printed plan of a prepared scene, without the memory forecast.
+/// The facts that the command `plan` prints of a prepared scene, without the memory forecast.
 results::PlanExtras plan_extras(runs::PreparedScene& scene);
 
 /// Reports on the terminal, and as JSON, why a scene is not ready. Returns the exit code.

@@ -9,7 +9,8 @@
 
 namespace netloft::results {
 
-/// One number in two results, `before` and `after`. If a result does not have it, its value is unknown.
+/// A number of the results `before` and `after`. If a result does not have the number, its value there is
+/// NaN.
 struct NumberDifference {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::string name, unit;
@@ -24,7 +25,7 @@ struct NumberDifference {
   double percent() const;
   /// Whether the difference exceeds round-off.
   bool is_changed() const;
-  /// Whether the difference exceeds the errors; false if the errors are not known.
+  /// Whether the difference exceeds `error`; false if that is not known.
   bool exceeds() const;
 };
 

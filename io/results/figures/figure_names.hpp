@@ -11,7 +11,7 @@ std::string spoken(std::string name);
 /// for "mouth/headline_height". Empty for other figures.
 std::string principal_name(const std::string& figure);
 
-/// Whether there are figures of a net plan, and not only those of rigid bodies, which come first.
+/// Whether the figures contain some of a net plan, which follow those of rigid bodies.
 bool are_of_plan(const std::vector<NamedScalar>& figures);
 
 }  // namespace netloft::results

@@ -6,7 +6,8 @@
 
 namespace netloft::results {
 
-/// The state of a scene at rest, with the low-order part of its positions if that is known.
+/// The motion of a scene at rest, as input of an evaluation: no velocities, and the digits that rounding
+/// removes from the positions, if they are known.
 Kinematics at_rest(const Solution& solution);
 
 /// The figures of the gear, computed from a response of its elements, without errors; empty without a net

@@ -26,7 +26,8 @@ std::vector<Material> find_bill(const scenes::LoadedScene& loaded);
 std::map<std::string, double> largest_twine_tensions(const Scene& scene, const Assembler& assembler,
                                                      const FamilyOutputs& outputs);
 
-/// Adds masses, areas and loads to the rows of a bill, from the figures of the gear.
+/// Adds masses, areas and loads to the rows of a bill, computed from the figures of the gear and the tensions
+/// of the twines.
 void add_loads(const std::vector<NamedScalar>& figures, const std::map<std::string, double>& twine_tensions,
                std::vector<Material>& materials);
 

@@ -78,7 +78,7 @@ struct FoundShapes {
 
 /// The motion that grows out of a small disturbance of an unstable equilibrium, with or without oscillation.
 struct Swing {
-  std::string furthest;  // the node that moves most
+  std::string furthest;  // name of the node that moves most
   // Growth rate [1/s]; 0 if it is not known. Angular frequency [rad/s]; 0 if nothing oscillates.
   double rate = 0, frequency = 0;
 };

@@ -16,7 +16,7 @@ struct CatchBody {
   std::vector<std::array<std::uint32_t, 2>> rim;
 };
 
-/// The catch at a state; empty if the result has none.
+/// The catch in a state of a result; without triangles if the gear has no catch.
 CatchBody catch_body_of(const StoredShape& stored, std::size_t state);
 
 }  // namespace netloft::results

@@ -53,7 +53,7 @@ using FieldSpreads = std::array<FieldSpread, kCellKinds>;
 using FieldScales = std::array<std::optional<Scale>, kCellKinds>;
 
 FieldSpreads spreads_of(const StoredShape& stored, const std::string& field);
-/// A kind of cells that has no values gets no scale.
+/// The scales of a field: one for each kind of cells that has values.
 FieldScales scales_of(const FieldSpreads& spreads, bool is_logarithmic);
 
 /// Values at the corners of triangles: each is the mean over the triangles of the part that share the corner.

@@ -27,7 +27,7 @@ void visit_origins(File&& file, AnyOrigins& o) {
   file.text("plan", o.plan, "forces that are evaluated, and why the others are off");
 }
 
-/// Facts that are known when a run begins.
+/// Visits the members that are known when a run begins.
 template <class File, class AnyResult>
 void visit_inputs(File&& file, AnyResult& r) {
   visit_origins(file, r.origins);
@@ -155,7 +155,7 @@ void visit_motion(File&& file, AnyMotion& m) {
   });
 }
 
-/// Other equilibria that were found, and the motion that grows out of a disturbance of this one.
+/// Visits other equilibria that were found, and the motion that grows out of a disturbance of the solution.
 template <class File, class AnyResult>
 void visit_others(File&& file, AnyResult& r) {
   file.sometimes("shapes", r.shapes, [&](auto& s) {
@@ -177,7 +177,7 @@ void visit_others(File&& file, AnyResult& r) {
   });
 }
 
-/// Facts that are known when a run has ended, except named numbers and forces.
+/// Visits the members that are known when a run has ended, except named numbers and forces.
 template <class File, class AnyResult>
 void visit_ending(File&& file, AnyResult& r) {
   file.attribute("status", "outcome", r.outcome);

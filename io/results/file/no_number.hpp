@@ -4,7 +4,7 @@
 
 namespace netloft::results {
 
-/// Stands for a missing number in a field or a table.
+/// The number (NaN) that stands in a field or a table where there is no number.
 inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace netloft::results

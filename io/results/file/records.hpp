@@ -17,7 +17,7 @@ namespace netloft::results {
 // The writer and the reader for layout.hpp, which names every member of a Result once, with its place below
 // /netloft. The member functions of the writer and of the reader correspond.
 
-/// Writes a Result, without its empty lists.
+/// Writes the members of a Result to its file; leaves out empty lists.
 class RecordWriter {
  public:
   explicit RecordWriter(formats::Tree& tree) : tree_(tree) {}

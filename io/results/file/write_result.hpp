@@ -23,7 +23,7 @@ struct StageShape {
 /// The shapes of a solve, which a Result does not contain.
 struct SolvedShapes {
   const Solution& end;
-  std::vector<StageShape> stages = {};  // stages before the end; empty: they were not saved
+  std::vector<StageShape> stages = {};  // shapes before the last; empty: they were not stored
 };
 
 /// Writes the facts that are known when a run begins.

@@ -7,7 +7,8 @@
 
 namespace netloft::results {
 
-/// The data from which a motion continues, so that the rest has the same bits and the report is the same.
+/// The data from which a motion that was interrupted continues, so that its further outputs and its report
+/// have the same bits as without the interruption.
 struct Checkpoint {
   MarchState state;
   MotionFindings findings;

@@ -12,7 +12,7 @@ inline constexpr double kTableRoundOff = 1e-12;
 double total_error(const NamedScalar& scalar);
 
 /// A number with its error: "0.41 ± 0.06". Both are rounded to the first digit of the error, or to the second
-/// if the first is 1. If the error is unknown or only round-off, the number alone in `format`.
+/// if the first is 1. If the error is unknown or only round-off, the number alone is written, in `format`.
 std::string measured(double value, double error, const char* format = "{:.6g}");
 std::string measured(const NamedScalar& scalar, const char* format = "{:.6g}");
 

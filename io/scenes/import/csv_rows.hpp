@@ -21,7 +21,8 @@ class CsvRows {
   /// `text` must outlive this object. Cells are separated by the first comma, semicolon or tab of the text.
   CsvRows(std::string_view text, int file);
 
-  /// The next row that is not blank; empty at the end. Lines that begin with # are skipped.
+  /// The next row that is not blank; an empty list at the end of the text. Lines that begin with # are
+  /// skipped.
   std::vector<CsvCell> next();
   formats::Place place() const { return {file_, line_, 1, 1}; }
   /// Whether the text ended within quotes.

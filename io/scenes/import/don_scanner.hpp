@@ -39,7 +39,7 @@ class DonScanner {
   /// Moves behind the next word if it begins with this letter, and returns whether it did.
   bool try_word(char first_letter);
 
-  /// The next word of the tail; empty at the end.
+  /// The next word of the tail; an empty text at the end of the file.
   std::string_view word();
   /// Whether exactly one blank or end of line follows, and then a word.
   bool has_one_separator() const;

@@ -171,7 +171,7 @@ struct MeshFile {
   bool is_of_another_gear = false;  // true: rows name parts that the .don does not have
 };
 
-/// The features of FEMNET that a gear uses, as words for a table that compares many gears.
+/// The features of FEMNET that a gear uses, in words, for a table that compares many gears.
 std::vector<std::string> features_of(const GearFile& gear);
 
 /// Reads a .don. Lines end with LF, CR LF or CR. Errors and warnings are reported at their line and column;

@@ -19,7 +19,8 @@ struct Imported {
   std::vector<Finding> findings;  // features of the gear that the import changes or leaves out
 };
 
-/// The kind of analysis. FEMNET finds the equilibrium and the motion of the same file by two solvers.
+/// The kind of analysis that the scene is for. FEMNET finds the equilibrium and the motion of one file by two
+/// solvers.
 enum class Sought { rest, motion };
 
 /// Converts a gear and its mesh. Numbers that a scene does not accept are errors at their place in the gear

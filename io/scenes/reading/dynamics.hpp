@@ -11,7 +11,7 @@
 
 namespace netloft::scenes {
 
-/// The settings of a motion.
+/// The settings of the table `[analysis]` that concern a motion.
 struct Dynamics {
   std::string integrator = {};
   Values integrator_parameters = {};

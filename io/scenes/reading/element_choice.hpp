@@ -23,8 +23,8 @@ class ElementChoice {
  public:
   ElementChoice(Registry& registry, bool& refused) : registry_(registry), refused_(refused) {}
 
-  /// The element type of this name. Null if there is none, which is reported at the key `type`. Null without
-  /// a report if the name is empty.
+  /// The element type of this name. If there is none, returns nullptr and reports this at the key `type`; if
+  /// the name is empty, returns nullptr without a report.
   const ElementType* find(const std::string& name, formats::TableReader& table) const;
   /// The companions of an element type: element types of its plugin that the program adds to every part of
   /// this type, on the elements of the part. For example, bending is added to the bars of a rope.

@@ -20,7 +20,7 @@ struct GearModel {
 std::optional<GearModel> read_gear_model(const gears::NetPlan& plan, formats::TableReader& root);
 
 /// Selects from `names`, the names of the modelled gear, those that a name of the plan means: the name
-/// itself, or its port and starboard copies in a whole gear. Empty if there are none.
+/// itself, or its port and starboard copies in a whole gear. An empty list if there are none.
 std::vector<std::string> meant_by(const std::string& name, const std::vector<std::string>& names);
 
 }  // namespace netloft::scenes

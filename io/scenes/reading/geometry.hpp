@@ -18,10 +18,10 @@ struct BodyGeometry {
   std::vector<std::array<double, 3>> outline;  // a polygon in body axes, for pictures [m]
 };
 
-/// The nodes and elements of one part, and data of its elements, before parts are joined. Nodes are numbered
-/// within the part ("own" nodes).
+/// The nodes and elements of one part, and data of its elements, before parts are joined. "Own" numbers of
+/// nodes are their numbers within the part, from 0.
 struct Geometry {
-  PartGeometry names;                   // sets of nodes and panel coordinates; `nodes` stays empty
+  PartGeometry names;                   // sets of own nodes, panel coordinates; `nodes` stays empty
   std::vector<double> positions;        // 3 per own node [m]
   std::vector<std::uint32_t> elements;  // own nodes of each element
   ElementData data;

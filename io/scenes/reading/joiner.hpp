@@ -91,7 +91,7 @@ class Joiner {
     for (const auto& nodes : gathered_) place_in_the_middle(nodes, scene);
   }
 
-  /// The scene's numbers of the nodes of a part, in the order of their own numbers.
+  /// The numbers that the nodes of a part have in the scene, in the order of their numbers within the part.
   std::vector<std::uint32_t> nodes(std::size_t part) const {
     const auto begin = number_.begin() + first_[part];
     return {begin, begin + static_cast<std::ptrdiff_t>(geometries_[part].node_count())};

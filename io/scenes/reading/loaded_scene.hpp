@@ -16,15 +16,15 @@
 
 namespace netloft::scenes {
 
-/// A part as the author of the scene sees it: its nodes with their own numbers, from 0, and the names of its
-/// edges and corners.
+/// A part as the author of the scene sees it: its nodes, by their numbers within the part ("own" numbers,
+/// from 0), and the names of its edges and corners.
 struct PartGeometry {
   std::string name;
   formats::Place place;
-  std::vector<std::uint32_t> nodes;  // own number -> scene node
+  std::vector<std::uint32_t> nodes;  // indexed by own number: number of the node in the scene
   std::vector<int> cells;  // number of bars of a rope; cells across and along a panel; empty for others
-  std::vector<std::array<double, 2>> panel;                // own number -> (U, V) [meshes]; empty if no panel
-  std::map<std::string, std::vector<std::uint32_t>> sets;  // "fore" -> own numbers, in order along the edge
+  std::vector<std::array<double, 2>> panel;  // indexed by own number: (U, V) [meshes]; empty: no panel
+  std::map<std::string, std::vector<std::uint32_t>> sets;  // own numbers along edges, by name
   bool is_numbered = false;  // true: a hold, a join or an `on` names a node of this part by number
 };
 

@@ -39,7 +39,7 @@ class MeshParts {
   struct Standing {
     std::size_t part;
     const formats::InputMesh* mesh;
-    std::vector<std::uint32_t> nodes;  // own number -> node of the mesh
+    std::vector<std::uint32_t> nodes;  // indexed by number within the part: number in the mesh
   };
 
   const formats::InputMesh* find_mesh(formats::TableReader& table);

@@ -25,7 +25,7 @@ class OneSidedHolds {
 };
 
 /// The name of the mirror image of a part, an edge or a point: "port-bridle.start" for
-/// "starboard-bridle.start". Returns the name unchanged if it contains no side.
+/// "starboard-bridle.start". Returns a name without a side ("port-", "starboard-") unchanged.
 std::string mirror_image(const std::string& name);
 
 }  // namespace netloft::scenes

@@ -7,7 +7,7 @@
 
 namespace netloft::scenes {
 
-/// Reads `water.waves`. The water, current and bed of the scene must have been read. Null if the table is
+/// Reads `water.waves`. The water, current and bed of the scene must have been read. nullptr if the table is
 /// absent or has errors.
 std::shared_ptr<const WaterField> read_waves(formats::TableReader& water, const Scene& scene);
 

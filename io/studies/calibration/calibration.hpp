@@ -26,7 +26,7 @@ Calibration calibrate(CalibrationFile file, const CheckedCalibration& checked,
                       const std::filesystem::path& folder, Registry& registry, const runs::Watch& watch,
                       const OnSolve& on_solve = {});
 
-/// The calibration as text, and as one JSON object.
+/// The report of a calibration as text, and as one JSON object.
 std::string calibration_text(const Calibration& calibration);
 std::string calibration_json(const Calibration& calibration);
 

@@ -9,7 +9,7 @@
 
 namespace netloft::studies {
 
-/// A scene in which something was measured.
+/// A scene that describes a gear at which figures were measured.
 struct CalibrationScene {
   std::string name;
   std::string file;  // path relative to the folder of the calibration file

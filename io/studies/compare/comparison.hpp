@@ -19,7 +19,7 @@ struct ComparisonTask {
   std::map<std::string, std::string> absent;
 };
 
-/// The difference between a method's answer and the reference, if they are two different equilibria.
+/// The difference between a method's answer and the reference answer, if they are two different equilibria.
 struct OtherEquilibrium {
   double distance = 0;           // largest distance of a node [m]
   double energy_difference = 0;  // energy of the method's answer minus that of the reference [J]

@@ -9,7 +9,8 @@ namespace netloft::studies {
 std::string comparison_text(const Comparison& c);
 
 /// The comparison as CSV: a row for each trial and for each mesh, after a line with the names of the columns.
-/// Solver errors and discretisation errors are in rows of different kinds. Unknown values are empty.
+/// Solver errors and discretisation errors are in rows of different kinds. The cells of unknown values are
+/// empty.
 std::string comparison_csv(const Comparison& c);
 
 /// The comparison as one JSON object; unknown values are null.

@@ -48,7 +48,7 @@ struct Method {
 
   /// "solver", "strategy" or "integrator". The scene's table [analysis] has a key of this name.
   std::string kind() const;
-  /// The specification without the keyword.
+  /// The specification without its keyword: "auto" for "strategy auto".
   std::string name() const;
 };
 

@@ -8,7 +8,8 @@
 
 namespace netloft::studies {
 
-/// An equilibrium on the branch: the scene, its solution, and the values of the variables at this point.
+/// An equilibrium on a branch: the scene, its solution, and the values that the variables of the study have
+/// there.
 struct Solved {
   std::shared_ptr<runs::PreparedScene> scene;
   Solution solution;

@@ -19,8 +19,8 @@ struct ScriptOptions {
 /// The name of the script in the folder of the study.
 std::string script_name(Engine engine);
 
-/// A bash script that lets an engine compute all items without a record, and then collects the table. Its
-/// head explains what it does and how to start it. A second start resumes the work.
+/// A bash script that lets an engine compute all items of the study that have no record yet, and then
+/// collects the table. Its head explains what it does and how to start it. A second start resumes the work.
 std::string engine_script(Engine engine, const Study& study, const ScriptOptions& options);
 
 /// The number of items that take at least a minute in one task, estimated from the finished items of the

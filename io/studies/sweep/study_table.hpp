@@ -19,7 +19,7 @@ struct StudyTable {
   std::vector<StudyColumn> columns;
   std::vector<StudyFigure> figures;  // names and units of the figures; `value` is not used
   std::vector<StudyRow> rows;
-  std::vector<std::string> sentences;  // about items that are missing, damaged, or of other versions
+  std::vector<std::string> sentences;  // about items that are missing, damaged, or of several versions
   std::size_t missing_items = 0;
   std::map<std::string, std::size_t> count_by_status() const;
 };

@@ -48,7 +48,7 @@ struct Variable {
   VariableValue value_of(double number) const;
   /// The changes "path=value" for every key, in the syntax of `--set`.
   std::vector<std::string> overrides(const VariableValue& value) const;
-  /// The overrides as changes of a scene.
+  /// The texts of overrides(), parsed into changes of a scene.
   std::vector<formats::Change> changes(const VariableValue& value) const {
     return formats::read_changes(overrides(value));
   }

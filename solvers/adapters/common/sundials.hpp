@@ -27,7 +27,7 @@ int guarded(void* host, Work&& work) noexcept {
   }
 }
 
-/// Stores the error message of SUNDIALS instead of printing it.
+/// Receives error messages of SUNDIALS, and stores them in `host` instead of printing them.
 template <class Host>
 void keep_complaint(int, const char*, const char*, char* message, void* host) {
   guarded<Host>(host, [&](Host& h) {

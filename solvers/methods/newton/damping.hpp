@@ -13,7 +13,7 @@ namespace netloft::newton {
 /// error of a double, because soft parts of a gear need less damping than stiff ones.
 struct DampingRange {
   double least, most, factor;
-  double end;  // a smaller μ becomes 0
+  double end;  // a μ below this becomes 0
 
   DampingRange(const Newton::Parameters& p, bool is_symmetric)
       : least(is_symmetric ? p.least_damping : kShortest),

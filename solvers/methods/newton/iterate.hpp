@@ -40,13 +40,13 @@ class Iterate {
   double round_off(const Path& path) const;
   /// Whether the decrease that the slope predicts for a step along a path is no more than round_off(path).
   bool promises_round_off(const Path& path) const;
-  /// Points accepted so far.
+  /// Number of points accepted so far.
   std::size_t count() const { return count_; }
 
   /// Evaluates at u and stores the tangent if `matrix` requests it. Returns false if forces are undefined at
   /// u.
   bool evaluate(Matrix matrix = Matrix::exact);
-  /// Computes d = r − g for the merit; g is the gradient of E.
+  /// Computes the forces without an energy at u, d = r − g, which the merit needs; g is the gradient of E.
   bool split_residual();
   bool report(const char* note) { return problem_.progress(problem_.u(), energy_, r_, note); }
 

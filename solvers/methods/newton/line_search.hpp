@@ -22,7 +22,7 @@ inline constexpr double kDifference = 0x1p-13;
 /// How far a search along a line refines its bracket.
 struct Refinement {
   double margin = 0;  // least distance of a new t from either end, as a fraction of the bracket
-  int most = 0;       // evaluations for a better t after an acceptable one was found
+  int most = 0;       // limit of evaluations for a better t, once an acceptable t is found
 
   double within(double fraction) const { return std::clamp(fraction, margin, 1 - margin); }
 };

@@ -57,14 +57,15 @@ class Members {
     check(status);
     return status == NETLOFT_OK;
   }
-  /// residual ← residual + Σ n c f.
+  /// Adds the forces f of all members to the residual: residual ← residual + Σ n c f.
   void add_forces(const std::vector<Vector>& f, std::vector<double>& residual) {
     check(m_.add_forces(m_.host, f.data()->data(), residual.data()));
   }
   /// Sets the matrix to the tangent of r plus Σ n c cᵀ K over all members; `K` has the stiffness of each
   /// member.
   void set_matrix(const std::vector<Block>& K) { check(m_.set_matrix(m_.host, K.data()->data())); }
-  /// Sets the matrix from lines, and adds their forces to the residual.
+  /// Sets the matrix from the stiffness K of each member in `lines`, and adds the forces of `lines` to the
+  /// residual.
   void set_matrix(const std::vector<Line>& lines, std::vector<double>& residual) {
     static_assert(sizeof(Line) == 6 * sizeof(double));
     check(m_.set_matrix_along(m_.host, lines.data()->t.data(), residual.data()));

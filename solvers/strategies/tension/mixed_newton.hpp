@@ -32,7 +32,7 @@ class MixedNewton {
     double factor = 0;  // factor by which μ falls and rises
   };
 
-  /// One solve with the stiffness of every part reduced.
+  /// The task of one solve, in which the stiffness of every part may be reduced.
   struct Stage {
     const char* name = "";
     std::vector<double> factor;  // factor on EA and EA_c of each part, at most 1

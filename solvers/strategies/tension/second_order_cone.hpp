@@ -13,7 +13,7 @@ namespace netloft::tension::cone {
 /// Vandenberghe, "The CVXOPT linear and quadratic cone program solvers" (2010), sections 4 and 5.
 using Point = std::array<double, 4>;
 
-/// Returns J x = (x₀, −x̄).
+/// Returns J x = (x₀, −x̄), the mirror image of x.
 inline Point mirrored(const Point& x) { return {x[0], -x[1], -x[2], -x[3]}; }
 
 inline double length(const Point& x) { return std::sqrt(x[1] * x[1] + x[2] * x[2] + x[3] * x[3]); }
