@@ -287,7 +287,7 @@ const std::vector<Check<IntegratorBench>>& integrator_table() {
       {"remembers-nothing-in-scratch",
        remembers_nothing_in_scratch,
        {"no-hidden-state"},
-       "scratch is memory within a step: a march that continues from a file must give the same results"},
+       "use scratch within a step only: a march that continues from a file must give the same results"},
       {"explicit-means-explicit",
        explicit_means_explicit,
        {"fills-every-output"},

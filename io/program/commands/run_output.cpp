@@ -32,7 +32,8 @@ bool is_worthless_hdf5(const std::string& part) {
 std::string how_it_ended(const std::string& outcome) {
   if (outcome == formats::kRunning.outcome || outcome == name_of(MarchStatus::interrupted))
     return "did not end; --resume goes on from them";
-  return "has ended (" + outcome + "); --resume completes its result, or its index";
+  return "has ended (" + outcome +
+         "), but could not write its result or the .xdmf file beside it; --resume writes them";
 }
 
 }  // namespace

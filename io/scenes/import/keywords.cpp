@@ -232,7 +232,7 @@ class KeywordReader {
 
   void drag_type() {
     gear_.environment.drag_type = in_.next_integer("a kind of drag");
-    if (gear_.environment.drag_type == 2) leave_out("law of drag 2 is not known; law 1 is used instead");
+    if (gear_.environment.drag_type == 2) leave_out("drag law 2 is not known; drag law 1 is used instead");
   }
 
   void sphere_element() {
