@@ -38,8 +38,7 @@ class Motion {
   std::span<double> next_v() { return {m_.v_new, size()}; }
   std::span<double> next_a() { return {m_.a_new, size()}; }
   std::span<double> error() { return {m_.error, size()}; }
-  /// Working memory, as long as the vector of unknowns. It keeps its numbers from step to step for each
-  /// `index`.
+  /// Working memory of a step, with a number for each unknown; every `index` has memory of its own.
   std::span<double> scratch(std::uint32_t index) { return {m_.scratch(m_.host, index), size()}; }
 
   /// Computes the residual r = F(t, u, v, a) [N].
