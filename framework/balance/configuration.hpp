@@ -51,7 +51,7 @@ class Configuration {
   /// Digits that rounding removes from the positions x [m]; empty if displacements are relative to the start.
   const std::vector<double>& x_low() const { return x_low_; }
   const Kinematics& motion() const { return motion_; }
-  /// The step in time whose mean forces are evaluated. Null: forces are evaluated at u.
+  /// The step in time whose mean forces are evaluated. nullptr: forces are evaluated at u.
   const StepEnds* between() const { return step_.between ? &step_.between->ends : nullptr; }
   bool is_in_time() const { return step_.state != nullptr; }
   /// Whether the scene is at rest and displacements are relative to its start.

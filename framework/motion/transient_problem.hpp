@@ -44,8 +44,8 @@ class TransientProblem {
   std::string obstacle_to_explicit(const Scene& scene);
   /// Raises the load to which tolerances are relative if `residual`, over all dofs, has a larger one [N].
   void note_loads(std::span<const double> residual);
-  /// The midpoint of the last step, which ends at displacements u and is not yet accepted. Null if the step
-  /// did not use mean forces, or if an element failed (Assembler::fault).
+  /// The midpoint of the last step, which ends at displacements u and is not yet accepted. nullptr if the
+  /// step did not use mean forces, or if an element failed (Assembler::fault).
   const MeanStep* mean_step(std::span<const double> u);
   /// Whether the last step used mean forces.
   bool is_between() const { return is_between_; }

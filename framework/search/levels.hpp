@@ -15,7 +15,7 @@ class Levels {
   /// Number of meshes, at least one. A level below this number may still be missing; `scene` then returns
   /// nullptr.
   virtual unsigned most() const = 0;
-  /// The scene on a level; 0 is the original mesh. Null if the level does not exist.
+  /// The scene on a level; 0 is the original mesh. nullptr if the level does not exist.
   virtual const Scene* scene(unsigned level) = 0;
   /// Interpolates positions of the nodes of one level [m], 3 per node, to the nodes of another level. Returns
   /// an empty vector if the meshes do not divide the same parts.

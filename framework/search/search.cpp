@@ -72,7 +72,7 @@ Solution solve_near(const VariantSource& source, const SearchOptions& options, s
   return host.finish(host.solve(stage, options.solver));
 }
 
-/// Finds the equilibria of a scene for given factors of its settings.
+/// The scene with variable factors of its settings; finds the equilibrium for given factors.
 class SetScenes {
  public:
   SetScenes(const VariantSource& source, const SearchOptions& options, const StrategyUse& strategy)

@@ -43,7 +43,7 @@ std::vector<double> factors_at(const VectorXd& y) {
   return factors;
 }
 
-/// Finds the factors. Each method is one step of the search.
+/// Finds the factors of the settings of a scene. Each member function is one step of the search.
 class SettingSearch {
  public:
   SettingSearch(const Scene& scene, const FindWithFactors& find) : scene_(scene), find_(find) {}

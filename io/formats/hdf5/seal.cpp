@@ -121,7 +121,7 @@ SealedFile parse(std::string_view lines, std::uint64_t length) {
   throw FileError("it is damaged: its checksums are not complete");
 }
 
-/// The table at the end of a file; nothing if there is none.
+/// The table at the end of a file; nullopt if the file has none.
 std::optional<SealedFile> read_seal(int fd) {
   const std::uint64_t size = size_of(fd);
   if (size < kLastLine) return {};

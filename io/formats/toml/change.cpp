@@ -50,7 +50,7 @@ std::optional<std::vector<std::string>> parse_keys(const std::string& path) {
   return keys.empty() ? std::nullopt : std::optional(keys);
 }
 
-/// Removes "[2]" from the front of `rest` and returns 2; nothing if `rest` does not begin with an index.
+/// Removes "[2]" from the front of `rest` and returns 2; nullopt if `rest` does not begin with an index.
 std::optional<std::size_t> take_item(std::string_view& rest) {
   std::size_t item = 0;
   const char* end = rest.data() + rest.size();
@@ -71,7 +71,7 @@ std::string_view take_keys(std::string_view& rest) {
   return keys;
 }
 
-/// Splits a path such as "hold[0].at[2]" into steps; nothing if it cannot be read.
+/// Splits a path such as "hold[0].at[2]" into steps; nullopt if the path cannot be read.
 std::optional<std::vector<PathStep>> parse_path(std::string_view rest) {
   std::vector<PathStep> steps;
   while (!rest.empty()) {
@@ -129,7 +129,7 @@ class Walk {
   Walk(Value& root, std::string path, const Place& place, Diagnostics& diagnostics)
       : at_(&root), path_(std::move(path)), place_(place), diagnostics_(diagnostics) {}
 
-  /// The value at the end of the steps. Null after a step that is impossible, which is reported.
+  /// The value at the end of the steps. nullptr if a step is impossible, which is reported.
   Value* end() const { return at_; }
 
   void go(const PathStep& step) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kSeaWater = 1025;  // density ρ_w of sea water [kg/m³]
 
-/// Entries at the head of a file that apply to all of its parts.
+/// The entries at the head of a catalogue file, which apply to all parts in the file.
 struct FileHead {
   std::string source, uncertainty;
 };

@@ -370,8 +370,8 @@ class Divider {
   std::vector<std::vector<std::uint32_t>> line_nodes_;
   std::vector<Border> borders_;    // border of each cloth
   std::vector<PlaneMesh> planes_;  // triangles of each cloth
-  // For each panel, its own numbers of the nodes in its middle, by node of the gear; seams and ropes may
-  // bring several places of the middle to one node
+  // For each panel: the numbers that the nodes in its middle have within the panel, by their number in the
+  // gear. Seams and ropes may bring several places of the middle to one node of the gear.
   std::map<std::size_t, std::map<std::uint32_t, std::vector<std::uint32_t>>> in_middle_;
   std::vector<int> senses_;  // orientation of each cloth
   GearMesh mesh_;

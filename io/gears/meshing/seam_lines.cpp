@@ -239,8 +239,9 @@ class LineMaker {
     part_parallel_lines();
   }
 
-  /// The number of elements of a line. Throws if all lines together have more than kMostNodes elements, or if
-  /// `elements` is NaN because the line has no length.
+  /// Rounds the number of elements of a line to a whole number, at least 1, or 3 if the line is closed.
+  /// Throws if all lines together have more than kMostNodes elements, or if `elements` is NaN because the
+  /// line has no length.
   std::size_t count(const Line& line, double elements) {
     elements_ += elements;
     if (!(elements_ <= kMostNodes))

@@ -239,7 +239,7 @@ class Shaper {
 
   bool is_of_body(std::uint32_t node) const { return of_bodies_.contains(node); }
 
-  /// Marks a node beside the netting as placed once all its coordinates are known.
+  /// Marks a node that is not on the netting as placed, once all coordinates of the node are known.
   void complete(std::uint32_t node) {
     if (placed_[node]) return;
     std::array<std::optional<double>, 3> p{known_at(node, 0), known_at(node, 1), known_at(node, 2)};

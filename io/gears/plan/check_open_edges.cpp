@@ -14,7 +14,8 @@ namespace {
 
 std::string name_of(const Panel& panel, const OutlineEdge& edge) { return panel.name + "." + edge.name; }
 
-/// Finds out whether an edge is sewn or hung, and where the plan says so: "body.aft" is sewn at line 40.
+/// The edges of a plan that are sewn or hung, and the places where the plan says so: "body.aft" is sewn at
+/// line 40.
 class EdgeUses {
  public:
   explicit EdgeUses(const NetPlan& plan) {

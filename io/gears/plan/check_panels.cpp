@@ -23,7 +23,7 @@ double misses_by(const Panel& panel) {
   return panel.states_aft ? std::abs(aft_by_cuttings(panel) - aft) / std::max(1.0, aft) : 0;
 }
 
-/// The panel with another rate of one of its cuts.
+/// A copy of the panel in which one cut has another rate.
 Panel with_rate(Panel panel, bool is_outer, std::size_t which, const std::string& rate) {
   auto& side = is_outer ? panel.outer : panel.inner;
   side[which].rate = *parse_rate(rate);
@@ -34,7 +34,7 @@ Panel with_rate(Panel panel, bool is_outer, std::size_t which, const std::string
 }
 
 /// Among the rates that differ from the written text in one letter, returns the one whose aft edge agrees
-/// best with its count; empty if there is no such rate.
+/// best with the count in the plan; an empty text if there is no such rate.
 std::string propose_rate(const Panel& panel, bool is_outer, std::size_t which) {
   const Cut& cut = (is_outer ? panel.outer : panel.inner)[which];
   std::string best;

@@ -33,7 +33,7 @@ class RopeWays {
     }
   }
 
-  /// The number of a vertex; empty if no rope leads to a point of this name.
+  /// The number of a vertex; nullopt if no rope leads to a point of this name.
   std::optional<std::size_t> find(const std::string& name) const {
     const auto at = numbers_.find(name);
     return at == numbers_.end() ? std::nullopt : std::optional(at->second);

@@ -19,7 +19,7 @@ std::optional<CuttingRate> parse_all(char letter) {
   return {};
 }
 
-/// Reads the digits at `at` as a number; 0 if there are none or the number is too large.
+/// Reads the digits at `at` as a number; 0 if there are no digits or the number is too large.
 int read_number(std::string_view text, std::size_t& at) {
   int number = 0;
   for (; at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) && number <= kMostInARow;

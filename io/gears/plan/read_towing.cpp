@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kPoints = "points";
 
-/// The points in the table `points` of a body or of a catalogue part; none if it is no table.
+/// The points in the table `points` of a body or of a catalogue part; an empty list if `points` is no table.
 std::vector<BodyPoint> points_in(const formats::Value* points) {
   std::vector<BodyPoint> all;
   if (!points || !points->as<formats::Table>()) return all;
@@ -40,8 +40,8 @@ const formats::Value* points_of_catalogue(formats::TableReader& table, const Cat
   return nullptr;
 }
 
-/// The point to which warps lead: by default the point named `warp`, if one body has it. Empty after an
-/// error.
+/// The point to which warps lead: by default the point named `warp`, if one body has it. An empty text after
+/// an error.
 std::string end_of_warp(const NetPlan& plan, formats::TableReader& warp) {
   if (warp.has("to")) return warp.text("to", {.doc = "point to which the warp leads, such as \"door.warp\""});
   std::vector<std::string> ends;

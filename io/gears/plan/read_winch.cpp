@@ -43,7 +43,7 @@ class StageReader {
     check_begin();
   }
 
-  /// The quantity that the winch follows; nothing after an error.
+  /// The quantity that the winch follows; nullopt after an error.
   std::optional<Follows> find_key() {
     std::vector<const char*> given;
     for (const char* key : kKeys)

@@ -29,7 +29,7 @@ std::string identity_of(const RunOptions& options, const scenes::LoadedScene& lo
   return identity;
 }
 
-/// The displacements of a motion that starts from a result; empty for other motions.
+/// The displacements of a motion that starts from a result; nullopt for other motions.
 std::optional<std::vector<double>> start_of_motion(const RunOptions& options, runs::PreparedScene& scene) {
   const auto& file = scene.loaded().analysis.dynamics.start_file;
   if (options.resume || file.empty()) return {};

@@ -38,7 +38,7 @@ class PanelIndex {
     for (const std::size_t t : triangles_) insert(t);
   }
 
-  /// Returns the position [m] of a place on the panel; empty outside the panel.
+  /// Returns the position [m] of a place on the panel; nullopt outside the panel.
   std::optional<Position> at(const Place& p) const {
     const auto found = squares_.find({column(p, 0), column(p, 1)});
     if (found == squares_.end()) return {};

@@ -14,7 +14,7 @@ namespace netloft::results {
 namespace {
 
 /// Height of the seabed at a place [m]: of the scene's seabed, or else of a part that has a bed in its own
-/// parameters; empty if there is none.
+/// parameters; nullopt without a bed.
 std::optional<double> bed_below(const Vector& place, const Scene& scene) {
   if (scene.bed.is_there) return scene.bed.at(place.x, place.y)[0];
   for (const Part& part : scene.parts)

@@ -81,11 +81,11 @@ class TableScene {
     return sets;
   }
 
-  /// The stiffness of the bed under a node, at which ropes with beds of different stiffness may meet.
+  /// The stiffness of the bed under a node. Ropes whose beds differ in stiffness may meet at this node.
   struct BedUnder {
     double least = 0, most = 0;      // smallest and largest stiffness under these ropes [N/m²]
     double product = 0, metres = 0;  // sums over half bars of stiffness times length [N/m] and of length [m]
-    bool is_of_two = false;          // whether ropes with different beds meet here
+    bool is_of_two = false;          // whether ropes with different beds meet at the node
     void add(double stiffness, double length) {
       is_of_two = is_of_two || (stiffness > 0 && most > 0 && stiffness != most);
       least = metres > 0 ? std::min(least, stiffness) : stiffness;

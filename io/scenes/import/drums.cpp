@@ -52,8 +52,8 @@ class Curve {
   std::vector<double> times_, values_;
 };
 
-/// A cable that drums haul: its bars in the order of the file, their present lengths, and their lengths over
-/// time.
+/// A cable that drums haul: its bars in the order of the file, with the present length and the length over
+/// time of each bar.
 struct Hauled {
   std::vector<std::size_t> bars;
   std::vector<double> lengths;
@@ -73,7 +73,7 @@ Hauled cable_of(const GearFile& gear, const MeshFile& file, int cable) {
   return out;
 }
 
-/// The interval of a drum's times that contains `time`, by its index; nothing if `time` is before or after
+/// The interval of a drum's times that contains `time`, by its index; nullopt if `time` is before or after
 /// all times.
 std::optional<std::size_t> interval_at(const Drum& drum, double time) {
   for (std::size_t i = 0; i + 1 < drum.times.size(); ++i)

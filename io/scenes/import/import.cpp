@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::uintmax_t kLargestFile = 256u << 20;  // [bytes]
 
-/// The text of a file. If it cannot be read, reports an error and returns nothing.
+/// The text of a file. If the file cannot be read, reports an error and returns nullopt.
 std::optional<std::string> read_text(const fs::path& path, formats::Diagnostics& diagnostics) {
   std::error_code fault;
   if (!fs::is_regular_file(path, fault)) {

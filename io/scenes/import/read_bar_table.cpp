@@ -304,7 +304,7 @@ class TableOfBars {
   const Column* head_ = nullptr;  // columns of the rows that are being read
   bool has_no_head_ = false;
   std::size_t width_ = 0;
-  std::vector<std::size_t> where_;  // position in a row of each column
+  std::vector<std::size_t> where_;  // for each column: its position in a row
   std::vector<bool> is_known_;      // whether the table has each column
   std::map<std::string, std::size_t> node_named_, rope_named_;
 };

@@ -22,7 +22,8 @@ std::string word_of(const std::string& text) {
   return out.substr(0, 60);
 }
 
-/// The name of a node of the mesh in the first part that has it: "cable-3.node-5"; empty if no part has it.
+/// The name of a node of the mesh in the first part that has it: "cable-3.node-5"; an empty text if no part
+/// has the node.
 std::string node_name(const SceneDraft& from, int number) {
   for (const auto& region : from.out.mesh.regions) {
     const std::set<std::uint32_t> own(region.nodes.begin(), region.nodes.end());

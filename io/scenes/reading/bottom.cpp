@@ -22,7 +22,7 @@ const netloft_parameter& bottom_key() {
                                [](const auto& key) { return key.name == std::string_view(kBottom); });
 }
 
-/// The index of a column of `[bed] bottom`; none if there is no column with this name.
+/// The index of a column of `[bed] bottom`; nullopt if there is no column with this name.
 std::optional<std::size_t> column_named(const char* name) {
   for (std::size_t k = 0; bottom_key().columns[k]; ++k)
     if (!std::strcmp(bottom_key().columns[k], name)) return k;

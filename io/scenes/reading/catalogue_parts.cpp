@@ -13,7 +13,7 @@ namespace netloft::scenes {
 
 namespace {
 
-/// A part of the scene that names a part of the catalogue.
+/// A part of the scene whose table names a part of the catalogue.
 struct NamedPart {
   std::string name;  // name of the part in the scene
   formats::Table* part;
@@ -68,7 +68,7 @@ std::set<std::string> known_numbers(const NamedPart& mention, Registry& registry
 }
 
 /// Any catalogue part of a kind, which replaces one that was not found, so that the rest of the scene can be
-/// read. Null if the catalogue has none.
+/// read. nullptr if the catalogue has no part of the kind.
 const gears::CataloguePart* stand_in(const gears::Catalogue& catalogue, const std::string& key) {
   for (const auto& part : catalogue.parts())
     if (part.kind->key == key) return &part;
@@ -112,7 +112,7 @@ std::vector<NamedPolar> find_polars(formats::Value& scene) {
   return polars;
 }
 
-/// A table of those `columns` that the polar has. The first column is the angle. Returns nothing if the
+/// A table of those `columns` that the polar has. The first column is the angle. Returns nullopt if the
 /// second column, which has the first coefficients, is missing.
 std::optional<formats::Value> columns_of(const gears::CataloguePart& polar,
                                          const std::vector<const char*>& columns, formats::Place place) {

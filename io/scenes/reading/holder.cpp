@@ -114,7 +114,7 @@ double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + 
 /// Whether two lengths, or two speeds, are equal up to round-off.
 bool is_one(double a, double b) { return std::abs(a - b) <= 1e-9 * (1 + std::abs(a)); }
 
-/// An axis of a frame, or of the world if the frame is nullptr.
+/// The unit vector along an axis of a frame, or of the world if the frame is nullptr.
 Point axis_of(const std::array<double, 9>* frame, std::size_t axis) {
   if (frame) return {(*frame)[axis], (*frame)[3 + axis], (*frame)[6 + axis]};
   Point unit{};
@@ -277,7 +277,7 @@ bool Holder::moves_alike(std::uint32_t node, const Course& course, const Point& 
   });
 }
 
-/// The place of the entry with the held axis of the node that is nearest to `direction`.
+/// The place in the file of the entry that holds the node along the axis nearest to `direction`, as text.
 std::string Holder::holder_of(std::uint32_t node, const Point& direction,
                               formats::Diagnostics& diagnostics) const {
   const Grip* nearest = nullptr;

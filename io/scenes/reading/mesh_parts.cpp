@@ -49,7 +49,8 @@ std::string names_of_regions(const formats::InputMesh& mesh, formats::RegionKind
   return names.empty() ? "it has no " + std::string(formats::name_of(kind)) : "there is: " + names;
 }
 
-/// The nodes of a region, which are the nodes of its part; their own numbers follow the order of the mesh.
+/// The nodes of a region, which become the nodes of a part. Their numbers within the part ("own" numbers)
+/// follow the order of the mesh.
 struct OwnNodes {
   OwnNodes(const formats::InputMesh& mesh, const formats::MeshRegion& region)
       : nodes(region.nodes), own(mesh.node_count(), kNone) {
@@ -58,8 +59,8 @@ struct OwnNodes {
     for (std::uint32_t i = 0; i < nodes.size(); ++i) own[nodes[i]] = i;
   }
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-  std::vector<std::uint32_t> nodes;  // own number -> node of the mesh
-  std::vector<std::uint32_t> own;    // node of the mesh -> own number; kNone outside the region
+  std::vector<std::uint32_t> nodes;  // indexed by own number: number in the mesh
+  std::vector<std::uint32_t> own;    // indexed by number in the mesh: own number; kNone outside the region
 };
 
 void add_nodes(const formats::InputMesh& mesh, const formats::MeshRegion& region, const OwnNodes& numbers,

@@ -93,7 +93,7 @@ std::optional<SurfacePoint> read_tube(formats::TableReader& part) {
   return round_an_axis(from, to, radius, radius_aft);
 }
 
-/// Reads the initial surface from `sketch` or `tube`; returns nothing after an error.
+/// Reads the initial surface from `sketch` or `tube`; returns nullopt after an error.
 std::optional<SurfacePoint> read_surface(formats::TableReader& part) {
   if (part.has("tube") && part.has("sketch"))
     part.error("tube", "is given beside sketch, and each of them says where the panel starts",
@@ -112,7 +112,7 @@ struct Panel {
 };
 
 /// Reads the keys of a panel. `elements`: number of elements in a cell; `kind`: their name in messages.
-/// Returns nothing after an error.
+/// Returns nullopt after an error.
 std::optional<Panel> read_panel_keys(formats::TableReader& part, const GeometryKey& key,
                                      std::int64_t elements, const char* kind) {
   formats::TableReader panel =

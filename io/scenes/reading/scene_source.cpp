@@ -165,7 +165,8 @@ void append_new(std::vector<formats::SourceFile>& files, const std::vector<forma
 
 }  // namespace
 
-/// The document of the scene, and stored results of the expensive steps of its last instances.
+/// The document of the scene, and the stored results of expensive steps, from the last instances of the
+/// scene.
 class SceneSource::Memory {
  public:
   explicit Memory(std::filesystem::path file) : file_(std::move(file)) {}

@@ -124,7 +124,7 @@ class Comparing {
     return result;
   }
 
-  /// Compares the method's answer at the tightest tolerance to which it converged with the reference. Empty
+  /// Compares the method's answer at the tightest tolerance to which it converged with the reference. nullopt
   /// if both are the same equilibrium, or if no trial of the method converged.
   std::optional<OtherEquilibrium> find_other_equilibrium(const MethodResult& result) {
     const auto last = std::find_if(result.trials.rbegin(), result.trials.rend(),

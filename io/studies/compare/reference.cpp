@@ -16,8 +16,8 @@ constexpr std::array<double, 3> kTolerances{1e-9, 1e-6, 1e-4};
 constexpr std::array<const char*, 6> kTrusted{
     "newton", "ptc", "lbfgs", "relaxation", "newton:method=classic", "newton:method=globalised"};
 
-/// Returns the answer of the solver, improved by polish(); empty if it did not converge to any of the
-/// tolerances.
+/// Returns the answer of the solver, improved by polish(); nullopt if the solver did not converge to any of
+/// the tolerances.
 std::optional<ReferenceAnswer> solve_for_reference(const runs::CaseSource& source, Registry& registry,
                                                    const Method& method, const runs::Watch& watch) {
   for (const double tolerance : kTolerances) {

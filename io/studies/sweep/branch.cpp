@@ -21,7 +21,7 @@ constexpr double kElsewhere = 4;  // least ratio of distance to extrapolated cha
 
 bool has_converged(const Solution& s) { return s.status == SolveStatus::converged; }
 
-/// The ratio of two successive steps, from `last` to `next` and from `before` to `last`; empty if the steps
+/// The ratio of two successive steps, from `last` to `next` and from `before` to `last`; nullopt if the steps
 /// change different variables, or more than one variable.
 std::optional<double> way_on(const Values& before, const Values& last, const Values& next) {
   std::optional<double> ratio;

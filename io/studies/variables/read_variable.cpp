@@ -15,7 +15,7 @@ constexpr const char* kKeyDoc = "key of the scene that is varied, as --set takes
 constexpr const char* kValuesDoc = "values of the variable";
 constexpr const char* kRangeDoc = "least and largest value of the variable";
 
-/// Reads a number with its unit as written; empty if the value is not a number.
+/// Reads a number with its unit as written; nullopt if the value is not a number.
 std::optional<formats::WrittenQuantity> number_in(const formats::Value& value) {
   if (const auto* integer = value.as<std::int64_t>()) return {{static_cast<double>(*integer), "", "", ""}};
   if (const auto* real = value.as<double>()) return {{*real, "", "", ""}};
