@@ -60,9 +60,11 @@ studies::Interval read_interval(const char* flag, const std::string& text) {
 std::vector<double> read_range(const char* flag, const std::string& text, double number) {
   const auto said = read_numbers(flag, text, true);
   if (said.size() == 3) number = said[2];
-  if (!(said[0] > 0)) throw UsageError{fmt::format("{} = {}: above 0 is expected", flag, text)};
+  if (!(said[0] > 0))
+    throw UsageError{fmt::format("{} = {}: the smaller number must be above 0", flag, text)};
   if (!(number >= 2) || number > kMostNumbers || number != std::floor(number))
-    throw UsageError{fmt::format("{} = {}: 2 to {} numbers are possible", flag, text, kMostNumbers)};
+    throw UsageError{
+        fmt::format("{} = {}: the number of values must be whole, from 2 to {}", flag, text, kMostNumbers)};
   std::vector<double> range;
   for (double i = 0; i < number; ++i) range.push_back(said[0] + (said[1] - said[0]) * i / (number - 1));
   return range;
@@ -182,7 +184,7 @@ int end_early(const ScopeOptions& o, Session& session, const std::vector<studies
 int run_scope(const ScopeOptions& o) {
   const studies::ScopeRequest request = request_of(o);
   if (!o.output.empty() && !is_page(o.output) && !o.output.ends_with(".svg"))
-    throw UsageError{"-o " + o.output + ": a file .svg or .html is expected"};
+    throw UsageError{"-o " + o.output + ": the name of the picture must end in .svg or .html"};
   require_memory_to_solve();
   Session session(o);
   if (const int code = session.open(); code != kDone) return code;

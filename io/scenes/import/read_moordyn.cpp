@@ -110,7 +110,7 @@ class MooringReader {
         return read_body(row);
       case Section::rods:
         return leave_out(row[0].place,
-                         "rod " + shown(row[0]) + ": there are no rods here; lines may not end at it");
+                         "rod " + shown(row[0]) + ": scenes have no rods, and no line may end at one");
       case Section::points:
         return read_point(row);
       case Section::lines:
@@ -219,7 +219,9 @@ class MooringReader {
     n.hold = "xyz";
     if (to == "FIXED" || to == "FIX" || to == "ANCHOR") return;
     if (to == "VESSEL" || to == "VES" || to == "COUPLED" || to == "CPLD")
-      return note(word.place, n.name + " is held where it is: what it is coupled to does not move here");
+      return note(word.place, n.name +
+                                  " is held at its position, because the vessel to which it is coupled does "
+                                  "not move in the scene");
     const auto body = bodies_.find(to);
     if (body == bodies_.end())
       return error(word.place, "the attachment " + shown(word) + " is not known",
@@ -305,7 +307,8 @@ class MooringReader {
 
   void read_option(const Row& row) {
     if (row.size() < 2)
-      return leave_out(row[0].place, shown(row[0]) + " is no option, which is a value and then a name");
+      return leave_out(row[0].place,
+                       shown(row[0]) + " is not an option: an option is a value, followed by a name");
     const std::string name = in_capitals(row[1].text);
     if (name == "G" || name == "GRAVITY")
       out_.table.gravity = number(row[0], "the gravity", 0, 100);
@@ -314,7 +317,7 @@ class MooringReader {
     else if (name == "KBOT" || name == "KB")
       bed_stiffness_ = number(row[0], "the stiffness of the bed", 0, 1e12);
     else if (name == "SEAFLOORFILE" || (name == "WTRDPTH" && !formats::number_in(row[0].text)))
-      leave_out(row[0].place, "a bed that is no plane is not read");
+      leave_out(row[0].place, "the bed is not a plane, and is not read");
     else if (name == "WTRDPTH")
       depth_ = number(row[0], "the depth of the water", 0, formats::kFarthest);
     else if (is_option_of_water(name))

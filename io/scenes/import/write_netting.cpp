@@ -14,7 +14,7 @@ void note_of_meshes(SceneDraft& to, const Panel& p, std::size_t number) {
     to.note(p.place, what,
             "here meshes resist opening with the gradient of an energy; FEMNET multiplies it by 2 cos(half "
             "angle)");
-  if (p.knot_size > 0) to.note(p.place, what, "here, knots that touch have an energy of their own");
+  if (p.knot_size > 0) to.note(p.place, what, "in the scene, knots that touch have an energy of their own");
 }
 
 InlineTable twine_of(SceneDraft& to, const Panel& p, double EA, double EA_compression) {

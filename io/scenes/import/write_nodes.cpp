@@ -102,7 +102,8 @@ void write_velocity(SceneDraft& to, const NodeMotion& m, bool is_held) {
     table.add(kAxis[axis], list_of(with_rests(m.velocity[axis], 0, 0)));
   to.line("velocity", table.text());
   if (!is_held && m.times.front() > 0)
-    to.note(m.place, "keyword speed_type_node2", "its nodes are held here before they are moved, too");
+    to.note(m.place, "keyword speed_type_node2",
+            "in the scene, its nodes are held also before their motion begins");
 }
 
 void hold(SceneDraft& to, const std::string& set, const std::string& axes) {

@@ -78,9 +78,10 @@ void note_masses(SceneDraft& to, std::size_t number) {
 void note_differences_of_motion(SceneDraft& to) {
   to.out.findings.insert(to.out.findings.end(), to.gear.of_motion.begin(), to.gear.of_motion.end());
   note_waves(to);
-  to.note({}, "the motion",
-          "ropes have added mass across them only, in FEMNET along them, too; steps of FEMNET damp fast "
-          "motions, steps here hardly do");
+  to.note(
+      {}, "the motion",
+      "in the scene, ropes have added mass only across their direction, in FEMNET along it, too; time steps "
+      "of FEMNET damp fast motions, those of the scene hardly");
   const Environment& e = to.environment();
   if (e.record_begin > 0) to.note({}, "the record", "begins at 0 here");
   for (std::size_t t = 0; t < to.gear.types.size(); ++t)
