@@ -173,7 +173,7 @@ TEST(Auto, MovesOffAnEquilibriumThatIsNotStableWhereForcesHaveNoEnergy) {
   plugins();  // registers elements for tests, such as "test/load"
   const Solution s = find(toppling_bar(0), {{"without", std::string("tension-stages")}}).solution;
   ASSERT_EQ(s.status, SolveStatus::converged) << s.reason;
-  EXPECT_TRUE(has_stage(s, "off an unstable equilibrium")) << stages_of(s);
+  EXPECT_TRUE(has_stage(s, "moved away from an unstable equilibrium")) << stages_of(s);
   EXPECT_TRUE(s.growing.mode.empty()) << "nothing grows any more";
   EXPECT_NEAR(*std::min_element(s.x.begin(), s.x.end()), -1.1, 1e-6) << "it hangs";
 }
