@@ -43,11 +43,11 @@ struct OnBed {
   }
   static void check(const Parameters&, const Data& d) { Plane::check({}, d); }
 
-  /// L of (2) [m]. A node without rope or twine counts as one metre per piece, such as a weight.
+  /// The length L of (2) [m]. A node without rope or twine counts as one metre per piece, such as a weight.
   static double metres_of(const Data& d) { return d.length > 0 ? d.length : d.pieces; }
-  /// k L of (2).
+  /// The stiffness k L of (2).
   static double stiffness_of(const Parameters& p, const Data& d) { return p.stiffness * metres_of(d); }
-  /// N of (3), in a scene with a bed.
+  /// The normal force N of (3), in a scene with a bed.
   static double normal_force(const Parameters& p, const Data& d, const Whole& whole, const State<1>& s) {
     const Bed& b = s.bed[0];
     const double slope = std::sqrt(1 + b.slope_x * b.slope_x + b.slope_y * b.slope_y);
@@ -89,7 +89,7 @@ struct OnBed {
   static T depth_of(const Parameters& p, const MovingNodes<T, 1>& m) {
     return m.bed[0].below(m.x[0]) + T(p.radius) - m.x[0].z;
   }
-  /// f' of (2).
+  /// The derivative f' of (2), to which the normal force is proportional.
   template <class T>
   static T pressed_by(const Parameters& p, const T& depth) {
     return depth < T(p.softness) ? depth * depth / T(2 * p.softness) : depth - T(0.5 * p.softness);

@@ -45,13 +45,13 @@ struct Plane {
     double friction[kLanes], shear[kLanes];  // friction μ, shear stiffness κ L
   };
 
-  /// f, f', f'' of (2).
+  /// The function f of (2) and its derivatives f', f''.
   struct Depth {
     double f, f1, f2;
   };
   static Depth press(double depth, double softness);
 
-  /// h and h'/s of (9).
+  /// The function h of (9), and h'/s.
   struct Slip {
     double h, slope;
   };
