@@ -126,7 +126,9 @@ std::size_t Race::find_saddle(Stage stage) {
 /// Solves from the sides of a saddle that have not been tried to their end. Returns the first equilibrium
 /// that was not met before, or nothing.
 std::optional<Stage> Race::leave(std::size_t at, const Budget& budget) {
-  const auto ask = [&] { return Ask{.name = "off an unstable equilibrium", .work = budget.left()}; };
+  const auto ask = [&] {
+    return Ask{.name = "moved away from an unstable equilibrium", .work = budget.left()};
+  };
   for (int side = 0; side < 2 && !budget.is_used_up(); ++side) {
     if (saddles_[at].is_tried[side]) continue;
     const Displacements start = beside(search_, saddles_[at].stage, ask(), side);

@@ -212,7 +212,7 @@ TEST(Auto, LeavesAnUnstableEquilibriumOnceToEachSide) {
   const Solution s = find(scene).solution;
   EXPECT_EQ(s.status, SolveStatus::unstable) << s.reason << stages_of(s);
   const auto left = std::count_if(s.cost.stages.begin(), s.cost.stages.end(), [](const StageRecord& stage) {
-    return stage.name == "off an unstable equilibrium";
+    return stage.name == "moved away from an unstable equilibrium";
   });
   EXPECT_EQ(left, 2) << stages_of(s);
 }
