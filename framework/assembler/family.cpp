@@ -3,6 +3,9 @@
 
 #include "framework/registry/plugin_call.hpp"
 
+#include <cstdio>
+#include <stdexcept>
+
 namespace netloft {
 
 ElementFamily::ElementFamily(const Scene& scene, const FamilyPlan& plan, std::uint32_t first_global_node)
@@ -22,18 +25,46 @@ ElementFamily::ElementFamily(const Scene& scene, const FamilyPlan& plan, std::ui
 
 ElementFamily::~ElementFamily() {
   if (!self_) return;
-  const PluginCall call({type_->type.c_str(), "destroy", nullptr, CallFrame::Kind::element});
-  type_->element.destroy(self_);
+  call_plugin({type_->type.c_str(), "destroy", nullptr, CallFrame::Kind::element}, 0, [&] {
+    type_->element.destroy(self_);
+    return 0;
+  });
 }
 
+namespace {
+
+/// Calls a function on a tile. What the host reads of the tile afterwards is as it was, whatever the plugin
+/// wrote there. Returns OK, OUTSIDE_DOMAIN or ERROR; the latter two with a sentence that ends in its memory.
+template <class Function>
+int call_on_tile(const CallFrame& frame, netloft_tile& tile, Function&& function) {
+  const std::uint32_t first = tile.first, count = tile.count;
+  const std::span<char> said{tile.message, tile.message_size};
+  const int status = call_plugin(frame, int{NETLOFT_ERROR}, function);
+  tile.first = first;
+  tile.count = count;
+  if (status == NETLOFT_OK) return NETLOFT_OK;
+  if (take_broken_rule(said)) return NETLOFT_ERROR;
+  if (status == NETLOFT_OUTSIDE_DOMAIN || status == NETLOFT_ERROR) return status;
+  std::snprintf(said.data(), said.size(), "%s returned %d, which is no status", text_of(frame).c_str(),
+                status);
+  return NETLOFT_ERROR;
+}
+
+}  // namespace
+
 int ElementFamily::evaluate(const netloft_term& term, netloft_tile& tile) const {
-  const PluginCall call({type_->type.c_str(), "term", term.name, CallFrame::Kind::element});
-  return term.evaluate(self_, &tile);
+  return call_on_tile({type_->type.c_str(), "term", term.name, CallFrame::Kind::element}, tile,
+                      [&] { return term.evaluate(self_, &tile); });
 }
 
 int ElementFamily::output(netloft_tile& tile, double* values) const {
-  const PluginCall call({type_->type.c_str(), "outputs", nullptr, CallFrame::Kind::element});
-  return type_->element.output(self_, &tile, values);
+  const netloft_tile before = tile;
+  const int status =
+      call_plugin({type_->type.c_str(), "outputs", nullptr, CallFrame::Kind::element}, int{NETLOFT_ERROR},
+                  [&] { return type_->element.output(self_, &tile, values); });
+  tile = before;
+  if (const std::string broken = take_broken_rule(); !broken.empty()) throw std::runtime_error(broken);
+  return status;
 }
 
 std::span<double> ElementFamily::table(std::uint32_t scene_part, std::string_view parameter) const {
@@ -158,12 +189,11 @@ void ElementFamily::create(const Scene& scene) {
   inputs.laws.laws = laws_.data();
   inputs.globals.start = global_starts_.data();
   inputs.hand_to(in);
-  const auto make = [&] {
-    const PluginCall call({type_->type.c_str(), "create", nullptr, CallFrame::Kind::element});
-    return type_->element.create(&in, &self_);
-  };
-  if (make() == NETLOFT_OK) return;
+  const int status = call_plugin({type_->type.c_str(), "create", nullptr, CallFrame::Kind::element},
+                                 int{NETLOFT_ERROR}, [&] { return type_->element.create(&in, &self_); });
+  if (status == NETLOFT_OK) return;
   self_ = nullptr;
+  take_broken_rule(message);
   const std::size_t e = std::min<std::size_t>(in.at_fault, size() - 1);
   throw SceneError(
       {{scene.parts[part(e)].name,

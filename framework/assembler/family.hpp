@@ -52,8 +52,8 @@ class ElementFamily {
     assert(element < arms_.size());
     return arms_[element];
   }
-  /// Evaluates a term or the outputs on a tile. While the plugin runs, the call is recorded as one of this
-  /// element type, so that a crash can be explained (plugin_call.hpp).
+  /// Evaluates a term or the outputs on a tile, in a call that is recorded (plugin_call.hpp). If the plugin
+  /// breaks a rule of the boundary, a term returns ERROR, and the outputs throw std::runtime_error.
   int evaluate(const netloft_term& term, netloft_tile& tile) const;
   int output(netloft_tile& tile, double* values) const;
 

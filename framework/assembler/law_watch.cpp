@@ -3,6 +3,8 @@
 
 #include <netloft/vectors.hpp>
 
+#include "framework/registry/plugin_call.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -75,10 +77,7 @@ LawWatch::LawWatch(const LawType& law, const ParameterBlock& parameters)
     if (holds(law, parameters, range)) use_.ranges.push_back({.range = &range});
 }
 
-netloft_bound_law LawWatch::bound() const {
-  if (use_.ranges.empty()) return {law_.law.kind, 0, parameters_, law_.law.evaluate};
-  return {law_.law.kind, 0, this, &LawWatch::pass_on};
-}
+netloft_bound_law LawWatch::bound() const { return {law_.law.kind, 0, this, &LawWatch::pass_on}; }
 
 LawUse LawWatch::end() {
   watches_ = false;
@@ -90,7 +89,13 @@ LawUse LawWatch::end() {
 int LawWatch::pass_on(const void* watch, const netloft_law_tile* flow) {
   const LawWatch& self = *static_cast<const LawWatch*>(watch);
   if (self.watches_) const_cast<LawWatch&>(self).note(*flow);  // the C interface passes a pointer to const
-  return self.law_.law.evaluate(self.parameters_, flow);
+  return call_plugin({self.law_.type.c_str(), "evaluate", nullptr, CallFrame::Kind::element},
+                     int{NETLOFT_ERROR}, [&] {
+                       const int status = self.law_.law.evaluate(self.parameters_, flow);
+                       if (status != NETLOFT_OK && status != NETLOFT_OUTSIDE_DOMAIN)
+                         calls_of_this_thread().blame("failed in");
+                       return status;
+                     });
 }
 
 void LawWatch::note(const netloft_law_tile& f) {

@@ -27,15 +27,16 @@ struct LawUse {
   std::vector<RangeUse> ranges;
 };
 
-/// Stands between elements and a law: receives the calls of the elements and passes them on to the law.
-/// Between begin() and end(), a watch sums for each range of the law how much of the gear is inside and
-/// outside the range; during this time, only one thread may call it.
+/// Stands between elements and a law: receives the calls of the elements and passes them on to the law, so
+/// that a law that crashes or breaks a rule of the boundary is named itself. Between begin() and end(), a
+/// watch sums for each range of the law how much of the gear is inside and outside the range; during this
+/// time, only one thread may call it.
 class LawWatch {
  public:
   /// `parameters` must be valid and outlive this object.
   LawWatch(const LawType& law, const ParameterBlock& parameters);
 
-  /// The law that elements call: the plain law if it has no range to watch, otherwise this watch.
+  /// The law that elements call: this watch.
   netloft_bound_law bound() const;
   void begin() { watches_ = true; }
   /// Stops watching and returns the use since begin().

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 namespace netloft {
 
@@ -37,8 +38,16 @@ std::uint32_t traits_of(const Assembler& assembler) {
 }
 
 netloft_outcome call_solver(SolverChoice solver, netloft_problem& problem) {
-  const PluginCall call({solver.type->type.c_str(), "solve", nullptr, CallFrame::Kind::method});
-  return static_cast<netloft_outcome>(solver.type->solver.solve(solver.parameters, &problem));
+  netloft_problem seen = problem;
+  const int outcome = call_plugin({solver.type->type.c_str(), "solve", nullptr, CallFrame::Kind::method},
+                                  int{NETLOFT_SOLVER_ERROR},
+                                  [&] { return solver.type->solver.solve(solver.parameters, &seen); });
+  if (const std::string broken = take_broken_rule(); !broken.empty()) throw std::runtime_error(broken);
+  if (outcome < NETLOFT_STOPPED || outcome > NETLOFT_SOLVER_ERROR)
+    throw std::runtime_error(solver.type->type + ", solve returned " + std::to_string(outcome) +
+                             ", which is no outcome");
+  if (problem.message_size > 0) problem.message[problem.message_size - 1] = 0;
+  return static_cast<netloft_outcome>(outcome);
 }
 
 double PathLength::up_to(std::span<const double> u) {

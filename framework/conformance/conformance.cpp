@@ -30,7 +30,8 @@ const std::vector<Check<Bench>>& table() {
       {"no-exception-escapes",
        no_exception_escapes,
        {},
-       "catch everything before it crosses the boundary; the layer of element.hpp does"},
+       "catch everything before it crosses the boundary, as the layer of element.hpp does; leave rounding "
+       "and traps as they were"},
       {"evaluates-without-error",
        evaluates_without_error,
        {"makes-elements", "no-exception-escapes"},

@@ -21,7 +21,7 @@ struct IntegratorBench : MethodBench {
 
   /// Runs a motion. Returns OK, or the status of the first step that failed.
   int run(PracticeMotion& motion, const std::vector<double>& lengths, double end) {
-    return guarded("step", NETLOFT_ERROR,
+    return guarded(type.type, "step", NETLOFT_ERROR,
                    [&] { return motion.run(scheme, parameters.data(), lengths, end); });
   }
   double order() const { return scheme.order(parameters.data()); }
@@ -226,7 +226,8 @@ const std::vector<Check<IntegratorBench>>& integrator_table() {
       {"no-exception-escapes",
        integrator_lets_no_exception_escape,
        {"defaults-are-allowed"},
-       "catch everything before it crosses the boundary; the layer of integrator.hpp does"},
+       "catch everything before it crosses the boundary, as the layer of integrator.hpp does; leave rounding "
+       "and traps as they were"},
       {"fills-every-output",
        fills_every_output,
        {"no-exception-escapes"},

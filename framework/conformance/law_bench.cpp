@@ -3,6 +3,8 @@
 
 #include <netloft/vectors.hpp>
 
+#include "framework/registry/plugin_call.hpp"
+
 #include <algorithm>
 
 namespace netloft::conformance {
@@ -70,14 +72,14 @@ Flows LawBench::sample() {
 }
 
 bool LawBench::call(std::size_t part, const netloft_law_tile& flow, std::string& thrown) const {
-  try {
-    return type.law.evaluate(parameters[part].data(), &flow) == NETLOFT_OK;
-  } catch (const std::exception& e) {
-    thrown = e.what();
-  } catch (...) {
-    thrown = "an exception that is no std::exception";
+  const int status =
+      call_plugin({type.type.c_str(), "evaluate", nullptr, CallFrame::Kind::element}, int{NETLOFT_ERROR},
+                  [&] { return type.law.evaluate(parameters[part].data(), &flow); });
+  if (std::string broken = take_broken_rule(); !broken.empty()) {
+    thrown = std::move(broken);
+    return false;
   }
-  return false;
+  return status == NETLOFT_OK;
 }
 
 LawAnswer LawBench::evaluate(std::size_t part, const Flows& flows, bool derivatives) const {

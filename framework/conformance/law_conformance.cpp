@@ -140,7 +140,8 @@ const std::vector<Check<LawBench>>& law_table() {
       {"no-exception-escapes",
        law_lets_no_exception_escape,
        {"defaults-are-allowed"},
-       "catch everything before it crosses the boundary; the layer of law.hpp does"},
+       "catch everything before it crosses the boundary, as the layer of law.hpp does; leave rounding and "
+       "traps as they were"},
       {"evaluates-without-error",
        law_evaluates_without_error,
        {"no-exception-escapes"},

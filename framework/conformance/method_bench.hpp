@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/conformance/checks.hpp"
+#include "framework/registry/plugin_call.hpp"
 
 namespace netloft::conformance {
 
@@ -17,15 +18,15 @@ class MethodBench {
   ParameterBlock parameters;
 
  protected:
-  /// The result of `call`, or `otherwise` if it threw.
+  /// The result of `call`, or `otherwise` if it broke a rule of the boundary.
   template <class Call>
-  int guarded(const char* function, int otherwise, Call&& call) {
-    try {
-      return call();
-    } catch (...) {
-      thrown = std::string("`") + function + "` threw an exception";
-      return otherwise;
-    }
+  int guarded(const std::string& type, const char* function, int otherwise, Call&& call) {
+    const int result =
+        call_plugin({type.c_str(), function, nullptr, CallFrame::Kind::method}, otherwise, call);
+    std::string broken = take_broken_rule();
+    if (broken.empty()) return result;
+    thrown = std::move(broken);
+    return otherwise;
   }
 };
 

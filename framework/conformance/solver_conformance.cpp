@@ -20,7 +20,7 @@ struct SolverBench : MethodBench {
 
   /// Solves a practice problem and returns the outcome.
   int solve(PracticeProblem& problem) {
-    return guarded("solve", NETLOFT_SOLVER_ERROR,
+    return guarded(type.type, "solve", NETLOFT_SOLVER_ERROR,
                    [&] { return type.solver.solve(parameters.data(), &problem.interface()); });
   }
   bool needs(std::uint32_t traits) const { return type.solver.needs & traits; }
@@ -169,7 +169,8 @@ const std::vector<Check<SolverBench>>& solver_table() {
       {"no-exception-escapes",
        solver_lets_no_exception_escape,
        {"defaults-are-allowed"},
-       "catch everything before it crosses the boundary; the layer of solver.hpp does"},
+       "catch everything before it crosses the boundary, as the layer of solver.hpp does; leave rounding and "
+       "traps as they were"},
       {"says-progress",
        says_progress,
        {"no-exception-escapes"},

@@ -2,6 +2,7 @@
 #include "framework/conformance/specimen.hpp"
 
 #include "framework/conformance/test_laws.hpp"
+#include "framework/registry/plugin_call.hpp"
 
 #include <cmath>
 
@@ -12,16 +13,14 @@ namespace {
 constexpr std::uint32_t kMessage = 256;
 constexpr double kTime = 1;  // time at which members are evaluated [s]
 
-/// Calls a function of the plugin, and converts an exception into a status.
+/// Calls a function of the plugin. If it breaks a rule of the boundary, the status is kThrew.
 template <class Call>
-int guarded(std::string& message, Call&& call) {
-  try {
-    return call();
-  } catch (const std::exception& e) {
-    message = e.what();
-  } catch (...) {
-    message = "an exception that is no std::exception";
-  }
+int guarded(const ElementType& type, const char* function, const char* term, std::string& message,
+            Call&& call) {
+  const int status = call_plugin({type.type.c_str(), function, term, CallFrame::Kind::element}, kThrew, call);
+  std::string broken = take_broken_rule();
+  if (broken.empty()) return status;
+  message = std::move(broken);
   return kThrew;
 }
 
@@ -77,13 +76,19 @@ Specimen::Specimen(const ElementType& type, const Sample& sample)
   inputs.laws.laws = laws_.data();
   inputs.globals.start = globals.data();
   inputs.hand_to(in);
-  const int status = guarded(thrown, [&] { return type.element.create(&in, &self_); });
-  if (status == kThrew) throw Escaped("create: " + thrown);
+  const int status =
+      guarded(type, "create", nullptr, thrown, [&] { return type.element.create(&in, &self_); });
+  if (status == kThrew) throw Escaped(thrown);
   if (status != NETLOFT_OK) throw Refused(std::min(in.at_fault, in.count - 1), message);
 }
 
 Specimen::~Specimen() {
-  if (self_) type_.element.destroy(self_);
+  std::string unheard;
+  if (!self_) return;
+  guarded(type_, "destroy", nullptr, unheard, [&] {
+    type_.element.destroy(self_);
+    return 0;
+  });
 }
 
 std::size_t Specimen::entries(const netloft_term& term) const {
@@ -164,7 +169,7 @@ Answer Specimen::evaluate_into(const netloft_term& term, const States& states, s
   t.tangent = wants_matrix(want) ? matrix : nullptr;
   t.message = message;
   t.message_size = kMessage;
-  answer.status = guarded(answer.message, [&] { return term.evaluate(self_, &t); });
+  answer.status = guarded(type_, "term", term.name, answer.message, [&] { return term.evaluate(self_, &t); });
   if (answer.status != kThrew) answer.message = message;
   answer.lane_at_fault = t.lane_at_fault;
   return answer;
@@ -178,7 +183,8 @@ Answer Specimen::outputs(const States& states, std::vector<double>& values) cons
   given.hand_to(t, type_.inputs);
   t.message = message;
   t.message_size = kMessage;
-  answer.status = guarded(answer.message, [&] { return type_.element.output(self_, &t, values.data()); });
+  answer.status = guarded(type_, "outputs", nullptr, answer.message,
+                          [&] { return type_.element.output(self_, &t, values.data()); });
   if (answer.status != kThrew) answer.message = message;
   return answer;
 }
@@ -186,8 +192,8 @@ Answer Specimen::outputs(const States& states, std::vector<double>& values) cons
 std::vector<netloft_member> Specimen::members(std::uint32_t first, std::uint32_t count) const {
   std::vector<netloft_member> members(std::size_t{count} * type_.members.count);
   std::string thrown;
-  const int status =
-      guarded(thrown, [&] { return type_.members.write(self_, kTime, first, count, members.data()); });
+  const int status = guarded(type_, "members", nullptr, thrown,
+                             [&] { return type_.members.write(self_, kTime, first, count, members.data()); });
   return status == NETLOFT_OK ? members : std::vector<netloft_member>{};
 }
 

@@ -59,7 +59,7 @@ struct Answer {
   bool ok() const { return status == NETLOFT_OK; }
 };
 
-/// Status of a call that threw an exception.
+/// Status of a call that broke a rule of the boundary (plugin_call.hpp), such as to let no exception out.
 inline constexpr int kThrew = -1000;
 
 struct Refused : std::runtime_error {
@@ -73,7 +73,7 @@ struct Escaped : std::runtime_error {
 /// Sampled elements, created by their plugin.
 class Specimen {
  public:
-  /// Throws Refused if the plugin refuses an element, Escaped if it throws an exception.
+  /// Throws Refused if the plugin refuses an element, Escaped if it breaks a rule of the boundary.
   Specimen(const ElementType& type, const Sample& sample);
   ~Specimen();
   Specimen(const Specimen&) = delete;

@@ -14,10 +14,11 @@ struct StrategyBench : MethodBench {
 
   int run(PracticeSearch& search) { return run(search, parameters.data()); }
   int run(PracticeSearch& search, const void* with) {
-    return guarded("run", NETLOFT_ERROR, [&] { return type.strategy.run(with, &search.interface()); });
+    return guarded(type.type, "run", NETLOFT_ERROR,
+                   [&] { return type.strategy.run(with, &search.interface()); });
   }
   int explain(PracticeSearch& search, char* text, std::uint32_t size) {
-    return guarded("explain", NETLOFT_ERROR,
+    return guarded(type.type, "explain", NETLOFT_ERROR,
                    [&] { return type.strategy.explain(parameters.data(), &search.interface(), text, size); });
   }
   bool takes(const PracticeSearch& search) const { return (type.strategy.needs & ~search.traits()) == 0; }

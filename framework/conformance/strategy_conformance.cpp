@@ -282,7 +282,8 @@ const std::vector<Check<StrategyBench>>& strategy_table() {
       {"no-exception-escapes",
        strategy_lets_no_exception_escape,
        {"defaults-are-allowed"},
-       "catch everything before it crosses the boundary; the layer of strategy.hpp does"},
+       "catch everything before it crosses the boundary, as the layer of strategy.hpp does; leave rounding "
+       "and traps as they were"},
       {"fills-its-stages",
        fills_its_stages,
        {"no-exception-escapes"},

@@ -3,6 +3,8 @@
 #include "framework/registry/descriptors.hpp"
 #include "framework/registry/plugin_call.hpp"
 
+#include <cstdio>
+
 namespace netloft {
 
 /// An integrator with its parameters.
@@ -19,19 +21,33 @@ class StepScheme {
 
   bool is_explicit() const { return type_.is_explicit(); }
   /// The power of h to which the error of one step is proportional.
-  double order() const { return type_.integrator.order(parameters_); }
+  double order() const {
+    return call_plugin(frame("order"), 1.0, [&] { return type_.integrator.order(parameters_); });
+  }
   /// Longest stable step for a motion of angular frequency omega [s]; zero: any step is stable.
   double stable_step(double omega) const {
-    const PluginCall call({type_.type.c_str(), "stable_step", nullptr, CallFrame::Kind::method});
-    return type_.integrator.stable_step(parameters_, omega);
+    return call_plugin(frame("stable_step"), 0.0,
+                       [&] { return type_.integrator.stable_step(parameters_, omega); });
   }
   bool has_limit() const { return stable_step(1) != 0; }
+  /// Takes a step. Returns OK, OUTSIDE_DOMAIN or ERROR. If the plugin breaks a rule of the boundary, also in
+  /// an earlier call of a function without a status, the result is ERROR and the message says so.
   int step(netloft_motion& motion) const {
-    const PluginCall call({type_.type.c_str(), "step", nullptr, CallFrame::Kind::method});
-    return type_.integrator.step(parameters_, &motion);
+    netloft_motion seen = motion;
+    const int status = call_plugin(frame("step"), int{NETLOFT_ERROR},
+                                   [&] { return type_.integrator.step(parameters_, &seen); });
+    if (take_broken_rule({motion.message, motion.message_size})) return NETLOFT_ERROR;
+    if (status == NETLOFT_OK || status == NETLOFT_OUTSIDE_DOMAIN || status == NETLOFT_ERROR) return status;
+    std::snprintf(motion.message, motion.message_size, "%s, step returned %d, which is no status",
+                  type_.type.c_str(), status);
+    return NETLOFT_ERROR;
   }
+  const std::string& name() const { return type_.type; }
 
  private:
+  CallFrame frame(const char* what) const {
+    return {type_.type.c_str(), what, nullptr, CallFrame::Kind::method};
+  }
   const IntegratorType& type_;
   const void* parameters_;
 };

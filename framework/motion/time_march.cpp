@@ -4,6 +4,7 @@
 #include "framework/balance/shared_unknowns.hpp"
 #include "framework/motion/energy_watch.hpp"
 #include "framework/motion/march_times.hpp"
+#include "framework/motion/scheme_probe.hpp"
 #include "framework/motion/shown_state.hpp"
 #include "framework/motion/step_control.hpp"
 
@@ -58,12 +59,13 @@ class March {
   }
 
   MarchResult run() {
-    if (begin() && begin_other())
+    if (begin() && begin_other() && follows())
       while (state_.t < settings_.duration && !has_ended()) {
         if (!shorten_rotations() || !make_step()) break;
         write_outputs();
         report_step();
       }
+    if (!is_over_ && state_.steps > 0) follows();
     return finish();
   }
 
@@ -111,6 +113,15 @@ class March {
     if (state_.memory.empty()) state_.memory = assembler_.memory();
     if (state_.outputs == 0 && !has_companion()) write_checkpoint(state_.t);
     return true;
+  }
+
+  /// Whether the scheme follows the equation of motion from the current state. A march is not called finished
+  /// otherwise; how the steps of a search for an equilibrium get there does not matter.
+  bool follows() {
+    if (!settings_.judged) return true;
+    SchemeProbe probe(assembler_, settings_.mass_damping, methods_.solver, of_.make, without_work(limits_));
+    const std::string fault = probe.fault_of(scheme_, state_);
+    return fault.empty() || fail_at(fault);
   }
 
   bool has_companion() const { return settings_.check || settings_.disturb; }

@@ -132,6 +132,9 @@ void check_parameter(const netloft_parameter& p, std::uint32_t struct_bytes, con
 
 void check_parameters(const std::vector<netloft_parameter>& rows, std::uint32_t struct_bytes,
                       const std::string& owner, Faults& faults) {
+  constexpr std::uint32_t kMostBytes = 1u << 20;  // far more than anybody declares, and far less than memory
+  faults.require(struct_bytes <= kMostBytes, owner + ": its parameters take " + std::to_string(struct_bytes) +
+                                                 " bytes, more than " + std::to_string(kMostBytes));
   check_names(rows, owner, "parameter", faults);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     check_parameter(rows[i], struct_bytes, owner, faults);

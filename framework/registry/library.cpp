@@ -2,45 +2,32 @@
 #include "framework/registry/library.hpp"
 
 #include "framework/registry/elf_length.hpp"
+#include "framework/registry/floating_point_mode.hpp"
 #include "framework/registry/trial_opening.hpp"
 
 #include <dlfcn.h>
 
 #include <array>
-#include <cfenv>
 #include <fstream>
 #include <mutex>
-#if defined(__x86_64__)
-#include <xmmintrin.h>
-#endif
 
 namespace netloft {
 
 namespace {
 
-/// Restores the floating-point environment at the end, and reports whether the control modes have changed.
+/// Restores the floating-point mode at the end, and reports whether it has changed.
 class FloatingPointGuard {
  public:
-  FloatingPointGuard() {
-    std::fegetenv(&environment_);
-    before_ = control();
+  FloatingPointGuard() = default;
+  ~FloatingPointGuard() {
+    if (changed()) before_.set();
   }
-  ~FloatingPointGuard() { std::fesetenv(&environment_); }
   FloatingPointGuard(const FloatingPointGuard&) = delete;
   FloatingPointGuard& operator=(const FloatingPointGuard&) = delete;
-  bool changed() const { return control() != before_; }
+  bool changed() const { return FloatingPointMode::now() != before_; }
 
  private:
-  static unsigned control() {
-#if defined(__x86_64__)
-    constexpr unsigned flags = 0x3f;  // exception flags may change
-    return _mm_getcsr() & ~flags;
-#else
-    return 0;
-#endif
-  }
-  std::fenv_t environment_{};
-  unsigned before_ = 0;
+  const FloatingPointMode before_ = FloatingPointMode::now();
 };
 
 /// Returns the FNV-1a hash of 64 bits over words of eight bytes, padded with zeros. A hash byte by byte took
@@ -138,6 +125,9 @@ PluginContent open_library(const std::filesystem::path& file) {
                         "(it does not export netloft_plugin_v1)");
   FloatingPointGuard guard;
   PluginContent content = read_plugin(described_by(symbol), file.string(), file.stem().string());
+  if (guard.changed())
+    throw PluginRefused(file.string() +
+                        ": the floating-point mode of the program changed while it described itself");
   content.origin.fingerprint = fingerprint(file);
   return content;
 }

@@ -5,6 +5,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cfenv>
+#include <cstdio>
+#include <cstdlib>
 
 namespace netloft {
 
@@ -30,6 +33,7 @@ class ThreadPlace {
       if (place.is_taken.exchange(true)) continue;
       mine_ = &place;
       mine_->was_taken = true;
+      mine_->calls.take_mode_of_host();
       set_signal_stack();
       return;
     }
@@ -111,6 +115,49 @@ std::optional<CallFrame> CallStack::innermost_plugin() const {
   for (std::uint32_t i = std::min(depth(), kDeepest); i-- > 0;)
     if (const CallFrame frame = at(i); frame.kind != CallFrame::Kind::host) return frame;
   return {};
+}
+
+void CallStack::blame(const char* did, const char* detail) noexcept {
+  if (depth_of_blame_ > 0) return;
+  for (depth_of_blame_ = std::min(depth(), kDeepest); depth_of_blame_ > 1; --depth_of_blame_)
+    if (at(depth_of_blame_ - 1).kind != CallFrame::Kind::host) break;
+  depth_of_blame_ = std::max(depth_of_blame_, std::uint32_t{1});
+  const CallFrame frame = at(depth_of_blame_ - 1);
+  const auto text = [](const char* word) { return word ? word : ""; };
+  std::snprintf(blame_, sizeof blame_, "%s %s %s%s%s%s%s", frame.type ? frame.type : "a plugin", did,
+                text(frame.what), frame.name ? " " : "", text(frame.name), detail && *detail ? ": " : "",
+                text(detail));
+}
+
+void CallStack::blame_for_mode() noexcept {
+  std::fesetenv(FE_DFL_ENV);  // for the old registers of an x86, which have a mode of their own
+  mode_of_host_.set();
+  blame("left another floating-point mode (rounding, subnormal numbers or traps) behind in");
+}
+
+std::string CallStack::take_blame() {
+  std::string text = blame_;
+  blame_[0] = 0;
+  depth_of_blame_ = 0;
+  return text;
+}
+
+void PluginCall::end_after_jump() noexcept {
+  while (calls_.depth() > depth_ + 1) calls_.pop();
+  calls_.blame("jumped over functions of the program (longjmp) in");
+  std::abort();
+}
+
+std::string take_broken_rule() {
+  CallStack& calls = calls_of_this_thread();
+  return calls.has_blame(calls.depth()) ? calls.take_blame() : std::string();
+}
+
+bool take_broken_rule(std::span<char> text) noexcept {
+  if (!text.empty()) text.back() = 0;
+  const std::string broken = take_broken_rule();
+  if (!broken.empty() && !text.empty()) std::snprintf(text.data(), text.size(), "%s", broken.c_str());
+  return !broken.empty();
 }
 
 CallStack& calls_of_this_thread() noexcept {

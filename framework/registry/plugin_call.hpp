@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "framework/registry/floating_point_mode.hpp"
+
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <optional>
+#include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace netloft {
@@ -49,7 +54,29 @@ class CallStack {
   /// host; nullopt if no plugin is being called.
   std::optional<CallFrame> innermost_plugin() const;
 
+  // The rest is for this thread only.
+  /// Notes that the innermost plugin broke a rule of the boundary: "let an exception out of", and perhaps
+  /// what the exception said. Only the first one is kept until it is taken.
+  void blame(const char* did, const char* detail = nullptr) noexcept;
+  /// Whether a plugin has been blamed whose call is, or was, nested deeper than `depth` calls. Calls that are
+  /// not nested so deep are still under way, and are asked about it when they end.
+  bool has_blame(std::uint32_t depth) const { return depth_of_blame_ > depth; }
+  const char* blame_text() const { return blame_; }
+  /// "evil/weight let an exception out of term pull: no stiffness"; afterwards there is no blame.
+  std::string take_blame();
+  /// Makes the floating-point mode that of the host again. Blames the innermost plugin if it was another.
+  void restore_mode() noexcept {
+    if (FloatingPointMode::now() != mode_of_host_) [[unlikely]]
+      blame_for_mode();
+  }
+
+  /// Takes the present floating-point mode for that of the host. A thread does so before its first call of a
+  /// plugin, because to read the mode before each of them would take as long again as to compare it
+  /// afterwards.
+  void take_mode_of_host() noexcept { mode_of_host_ = FloatingPointMode::now(); }
+
  private:
+  void blame_for_mode() noexcept;
   struct Slot {
     std::atomic<const char*> type{nullptr}, what{nullptr}, name{nullptr};
     std::atomic<CallFrame::Kind> kind{CallFrame::Kind::host};
@@ -57,6 +84,9 @@ class CallStack {
   Slot frames_[kDeepest];
   std::atomic<std::uint32_t> depth_{0}, lowest_{0};
   std::atomic<std::uint64_t> crossings_{0}, callbacks_{0};
+  FloatingPointMode mode_of_host_;
+  std::uint32_t depth_of_blame_ = 0;  // zero: there is no blame
+  char blame_[256] = "";
 };
 
 /// The calls of this thread. The first use sets a separate stack for signal handlers. The reference remains
@@ -82,7 +112,9 @@ void wait_if_boundary_closed() noexcept;
 /// Records that this thread runs code of a plugin during the lifetime of the object. Allocates nothing.
 class PluginCall {
  public:
-  PluginCall(const CallFrame& frame) noexcept : calls_(calls_of_this_thread()) { calls_.push(frame); }
+  PluginCall(const CallFrame& frame) noexcept : calls_(calls_of_this_thread()), depth_(calls_.depth()) {
+    calls_.push(frame);
+  }
   ~PluginCall() {
     calls_.pop();
     if (detail::boundary_closed.load(std::memory_order_relaxed)) detail::wait_if_boundary_closed();
@@ -90,15 +122,56 @@ class PluginCall {
   PluginCall(const PluginCall&) = delete;
   PluginCall& operator=(const PluginCall&) = delete;
 
+  void blame_exception(const char* what) noexcept { calls_.blame("let an exception out of", what); }
+  /// Whether the plugin, which has returned, left the host as it was. Its floating-point mode is restored.
+  /// Ends the program if the plugin jumped over functions of the host, whose state is then unknown.
+  bool kept_the_rules() noexcept {
+    if (calls_.depth() != depth_ + 1) [[unlikely]]
+      end_after_jump();
+    calls_.restore_mode();
+    return !calls_.has_blame(depth_);
+  }
+
  private:
+  [[noreturn]] void end_after_jump() noexcept;
   CallStack& calls_;
+  std::uint32_t depth_;
 };
 
-/// Records that a plugin has called the host during the lifetime of the object.
+/// Calls a function of a plugin. Returns its result, or `failed` if the plugin broke a rule of the boundary:
+/// if it let an exception out, or left another floating-point mode, which is restored. take_broken_rule()
+/// then has a sentence about it. A plugin that ends the thread ends the program.
+template <class Body>
+std::invoke_result_t<Body> call_plugin(const CallFrame& frame, std::invoke_result_t<Body> failed,
+                                       Body&& body) noexcept {
+  PluginCall call(frame);
+  try {
+    const auto result = body();
+    return call.kept_the_rules() ? result : failed;
+  } catch (const std::exception& e) {
+    call.blame_exception(e.what());
+  } catch (...) {
+    call.blame_exception(nullptr);
+  }
+  call.kept_the_rules();
+  return failed;
+}
+
+/// The sentence about the first rule that a plugin broke on this thread and that was not taken before; empty
+/// if there is none. The plugin need not be the one that was called last: it may be a law that an element
+/// called. Plugins that are still running are left out.
+std::string take_broken_rule();
+/// Writes this sentence into `text`, and returns whether there was one. Without one, `text` is only made to
+/// end, because a plugin wrote it.
+bool take_broken_rule(std::span<char> text) noexcept;
+
+/// Records that a plugin has called the host during the lifetime of the object. The host computes in its own
+/// floating-point mode.
 class HostCall {
  public:
   HostCall() noexcept : calls_(calls_of_this_thread()) {
     if (detail::boundary_closed.load(std::memory_order_relaxed)) detail::wait_if_boundary_closed();
+    if (calls_.depth() > 0) calls_.restore_mode();
     calls_.push({});
   }
   ~HostCall() { calls_.pop(); }

@@ -3,6 +3,7 @@
 
 #include "framework/parameters/nearest.hpp"
 #include "framework/registry/library.hpp"
+#include "framework/registry/wrong_kind.hpp"
 
 #include <set>
 
@@ -60,8 +61,8 @@ const PluginContent& Registry::add_file(const std::filesystem::path& file) {
 const ElementType& Registry::element(const std::string& type) {
   const auto slash = type.find('/');
   if (slash == std::string::npos || slash == 0 || slash + 1 == type.size())
-    throw UnknownComponent("\"" + type +
-                           "\" is no element type; a type is written plugin/element, such as rope/bar");
+    throw WrongKind("\"" + type +
+                    "\" is no element type; a type is written plugin/element, such as rope/bar");
   const std::string name = plugin_of(type);
   return find(plugin(name).elements, type, "element", name);
 }
@@ -83,7 +84,7 @@ const StrategyType& Registry::strategy(const std::string& type) {
 
 const LawType& Registry::law(const std::string& type) {
   if (type.find('/') == std::string::npos)
-    throw UnknownComponent("\"" + type + "\" is no law; a law is written plugin/law, such as hydro/morison");
+    throw WrongKind("\"" + type + "\" is no law; a law is written plugin/law, such as hydro/morison");
   const std::string name = plugin_of(type);
   return find(plugin(name).laws, type, "law", name);
 }
@@ -94,11 +95,13 @@ const typename Types::value_type& Registry::find(const Types& types, const std::
   for (const auto& t : types)
     if (t.type == type) return t;
   if (const auto kind = other_kind(*opened_.at(name), type); !kind.empty())
-    throw UnknownComponent("\"" + type + "\" is " + kind + ", and no " + what + hidden(name));
+    throw WrongKind("\"" + type + "\" is " + kind + ", and no " + what + hidden(name));
   std::vector<std::string> names;
   for (const auto& t : types) names.push_back(t.type);
-  throw UnknownComponent("the plugin \"" + name + "\" has no " + what + " \"" + type + "\"" +
-                         suggestion(type, names) + hidden(name));
+  const std::string sentence = "the plugin \"" + name + "\" has no " + what + " \"" + type + "\"" +
+                               suggestion(type, names) + hidden(name);
+  if (types.empty()) throw WrongKind(sentence);
+  throw UnknownComponent(sentence);
 }
 
 const PluginContent& Registry::plugin(const std::string& name) {

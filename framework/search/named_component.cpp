@@ -55,4 +55,26 @@ void check_named(const netloft_parameter& p, const std::string& text, Registry& 
       check_named(row, std::get<std::string>(value->second), registry, given, callers);
 }
 
+std::vector<const StrategyType*> strategies_named_by(const StrategyType& strategy, const Values& values,
+                                                     Registry& registry, const GivenValues& given) {
+  std::vector<const StrategyType*> all;
+  for (const auto& row : strategy.parameters) {
+    if (!names(row, "strategy")) continue;
+    const auto value = values.find(row.name);
+    const std::string text = value != values.end() ? std::get<std::string>(value->second)
+                             : row.fallback_text   ? row.fallback_text
+                                                   : "";
+    const Specification word = specification_of(text);
+    if (word.name.empty()) continue;
+    const StrategyType& named = registry.strategy(word.name);
+    const auto prevailing = given.find(named.type);
+    Values own = prevailing == given.end() ? Values{} : prevailing->second;
+    own.merge(parse_parameters(named.parameters, word.parameters));
+    all.push_back(&named);
+    const auto further = strategies_named_by(named, own, registry, given);
+    all.insert(all.end(), further.begin(), further.end());
+  }
+  return all;
+}
+
 }  // namespace netloft

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace netloft {
 
@@ -23,5 +24,10 @@ using GivenValues = std::map<std::string, Values>;
 /// invalid.
 void check_named(const netloft_parameter& parameter, const std::string& specification, Registry& registry,
                  const GivenValues& given = {}, std::set<std::string> callers = {});
+
+/// The strategies that the parameters of a strategy name, those that the parameters of these name, and so on.
+/// `values` are the parameters of the first one; names and values have been checked.
+std::vector<const StrategyType*> strategies_named_by(const StrategyType& strategy, const Values& values,
+                                                     Registry& registry, const GivenValues& given);
 
 }  // namespace netloft

@@ -79,8 +79,10 @@ std::size_t count_members(const Assembler& assembler) {
 }
 
 int call_strategy(const StrategyType& type, const void* parameters, netloft_search& search) {
-  const PluginCall call({type.type.c_str(), "run", nullptr, CallFrame::Kind::method});
-  return type.strategy.run(parameters, &search);
+  netloft_search seen = search;
+  const int status = call_plugin({type.type.c_str(), "run", nullptr, CallFrame::Kind::method},
+                                 int{NETLOFT_ERROR}, [&] { return type.strategy.run(parameters, &seen); });
+  return take_broken_rule({search.message, search.message_size}) ? int{NETLOFT_ERROR} : status;
 }
 
 double imbalance(const Solution& s) {
@@ -147,12 +149,15 @@ void RunningSearch::fill_interface(const double* start) {
 
 void RunningSearch::keep_message(const char* text) { std::snprintf(message_, sizeof message_, "%s", text); }
 
-void RunningSearch::run(const StrategyType& type, const void* parameters) {
+std::optional<std::string> RunningSearch::why_unfit(const StrategyType& type) const {
   const std::uint32_t lacking = type.strategy.needs & ~interface_.traits;
-  if (lacking)
-    throw std::invalid_argument(
-        "the strategy " + type.type +
-        " needs features that this scene does not have: " + traits_of_search(lacking));
+  if (!lacking) return {};
+  return "the strategy " + type.type +
+         " needs features that this scene does not have: " + traits_of_search(lacking);
+}
+
+void RunningSearch::run(const StrategyType& type, const void* parameters) {
+  if (const auto why = why_unfit(type)) throw std::invalid_argument(*why);
   const int status = call_strategy(type, parameters, interface_);
   close();
   if (status == NETLOFT_OK) return;

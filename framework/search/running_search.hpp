@@ -24,6 +24,8 @@ class RunningSearch {
 
   netloft_search& interface() { return interface_; }
   void run(const StrategyType& type, const void* parameters);
+  /// The reason why a strategy cannot search this scene; nothing if there is none.
+  std::optional<std::string> why_unfit(const StrategyType& type) const;
 
   /// The best answer; if there is none, the stage of the scene itself that came closest to balance.
   Solution best() const;

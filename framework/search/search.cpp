@@ -2,6 +2,7 @@
 #include "framework/search/search.hpp"
 
 #include "framework/registry/plugin_call.hpp"
+#include "framework/search/named_component.hpp"
 #include "framework/search/running_search.hpp"
 #include "framework/search/settings.hpp"
 
@@ -139,6 +140,17 @@ Solution find_equilibrium(const VariantSource& source, const SearchOptions& opti
   return best;
 }
 
+std::optional<std::string> why_unfit(const VariantSource& source, const SearchOptions& options,
+                                     const StrategyUse& strategy) {
+  SearchHost host(source, options);
+  const RunningSearch search(host, as_written(), options.limits.tolerance, options.work, nullptr);
+  auto all = strategies_named_by(*strategy.type, strategy.parameters, *source.registry, options.given);
+  all.insert(all.begin(), strategy.type);
+  for (const StrategyType* type : all)
+    if (auto why = search.why_unfit(*type)) return why;
+  return {};
+}
+
 std::string explain_strategy(const VariantSource& source, const SearchOptions& options,
                              const StrategyUse& strategy) {
   if (!strategy.type->strategy.explain) return "";
@@ -146,12 +158,16 @@ std::string explain_strategy(const VariantSource& source, const SearchOptions& o
   const ParameterBlock parameters = block_of(strategy);
   RunningSearch search(host, as_written(), options.limits.tolerance, options.work, nullptr);
   std::string text(kLongestPlan, '\0');
-  const PluginCall call({strategy.type->type.c_str(), "explain", nullptr, CallFrame::Kind::method});
-  const int status = strategy.type->strategy.explain(parameters.data(), &search.interface(), text.data(),
-                                                     static_cast<std::uint32_t>(text.size()));
+  netloft_search& own = search.interface();
+  netloft_search seen = own;
+  const int status = call_plugin(
+      {strategy.type->type.c_str(), "explain", nullptr, CallFrame::Kind::method}, int{NETLOFT_ERROR}, [&] {
+        return strategy.type->strategy.explain(parameters.data(), &seen, text.data(),
+                                               static_cast<std::uint32_t>(text.size()));
+      });
   const std::string who = "the strategy " + strategy.type->type;
-  if (status != NETLOFT_OK) {
-    const std::string why = search.interface().message;
+  if (take_broken_rule({own.message, own.message_size}) || status != NETLOFT_OK) {
+    const std::string why = own.message;
     throw std::runtime_error(who + " failed to explain what it does" + (why.empty() ? "" : ": " + why));
   }
   const auto end = text.find('\0');

@@ -58,6 +58,11 @@ Solution find_equilibrium(const VariantSource& source, const SearchOptions& opti
 std::string explain_strategy(const VariantSource& source, const SearchOptions& options,
                              const StrategyUse& strategy);
 
+/// The reason why a strategy, or one that its parameters name, cannot search this scene: it needs features
+/// that the scene does not have. Nothing if there is none.
+std::optional<std::string> why_unfit(const VariantSource& source, const SearchOptions& options,
+                                     const StrategyUse& strategy);
+
 /// Parses "method=classic,damping=1" by a table of parameters. Throws std::invalid_argument with a sentence.
 Values parse_parameters(std::span<const netloft_parameter> table, const std::string& text);
 

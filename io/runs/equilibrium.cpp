@@ -186,7 +186,9 @@ Solution assess_point(const PreparedScene& scene, std::span<const double> u, Ass
 std::optional<std::string> why_unfit(PreparedScene& scene) {
   const scenes::Analysis& analysis = scene.loaded().analysis;
   if (analysis.settles || analysis.kind != AnalysisKind::statics) return {};
-  return netloft::why_unfit(scene.registry().solver(analysis.solver), traits_of(scene.assembler()));
+  if (auto why = netloft::why_unfit(scene.registry().solver(analysis.solver), traits_of(scene.assembler())))
+    return why;
+  return netloft::why_unfit(scene.variants(), search_options(scene, analysis.limits, {}), strategy_of(scene));
 }
 
 std::string explain_strategy(PreparedScene& scene) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/program/command_line/program.hpp"
 
-#include "framework/registry/registry.hpp"
+#include "framework/registry/wrong_kind.hpp"
 #include "io/formats/work/long_work.hpp"
 #include "io/program/command_line/command_line.hpp"
 #include "io/program/session/error_json.hpp"
@@ -43,7 +43,7 @@ int guarded(bool json, const std::function<int()>& work) {
   } catch (const UsageError& e) {
     return fail(e.message, kWrongInput, json);
   } catch (const PluginRefused& e) {
-    return fail(e.what(), kRefused, json);
+    return fail(e.what(), blames_plugin(e) ? kRefused : kWrongInput, json);
   } catch (const std::bad_alloc&) {
     return fail("not enough memory", kOther, json);
   } catch (const std::exception& e) {
@@ -98,7 +98,7 @@ int after_printing(int code) {
 
 int run_program(CLI::App& app, int argc, char** argv, const std::function<int()>& work) {
   guard_streams();
-  return after_printing(read_and_work(app, argc, argv, work));
+  return last_step(after_printing(read_and_work(app, argc, argv, work)));
 }
 
 }  // namespace netloft::program

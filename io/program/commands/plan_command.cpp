@@ -3,6 +3,7 @@
 #include "io/program/session/memory_room.hpp"
 #include "io/program/session/print.hpp"
 #include "io/program/session/session.hpp"
+#include "io/runs/equilibrium.hpp"
 
 namespace netloft::program {
 
@@ -10,6 +11,7 @@ int plan_command(const MethodOptions& options) {
   Session session(options);
   if (const int code = session.open(); code != kDone) return code;
   runs::PreparedScene& scene = session.scene();
+  if (const auto why_not = runs::why_unfit(scene)) throw UsageError{*why_not};
   results::PlanExtras extras = plan_extras(scene);
   const runs::MemoryForecast memory = runs::foresee_memory(scene);
   extras.memory = memory.total();

@@ -6,9 +6,11 @@
 #include "io/formats/text/printable.hpp"
 #include "io/program/session/error_json.hpp"
 #include "io/program/session/options.hpp"
+#include "io/program/session/print.hpp"
 #include "io/program/session/terminal.hpp"
 
 #include <signal.h>
+#include <sys/syscall.h>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -141,11 +143,17 @@ void die_as_before(int signal) {
 [[noreturn]] void die_of_damaged_file() {
   say(damaged.view());
   say(damaged_as_json.view(), STDOUT_FILENO);
-  _exit(kWrongInput);
+  end_at_once(kWrongInput);
 }
 
 void die(int signal, siginfo_t* info, void* context) {
   if (!damaged.empty() && (signal == SIGSEGV || signal == SIGBUS || signal == SIGABRT)) die_of_damaged_file();
+  if (const CallStack* calls = known_calls_of_this_thread(); calls && calls->has_blame(0)) {
+    say("netloft: ");
+    say_if(calls->blame_text());
+    say("\n");
+    end_at_once(kOther);
+  }
   const bool is_plugins = say_what_happened(" crashed in ");
   say(" (");
   say_if(name_of_signal(signal));
@@ -157,7 +165,7 @@ void die(int signal, siginfo_t* info, void* context) {
     say("\n  usually: an index past the end of an array, or a null input that was read");
   if (!is_plugins) return die_as_before(signal);
   say(". `gdb --args netloft …` shows the line of a plugin compiled with -g\n");
-  _exit(kOther);
+  end_at_once(kOther);
 }
 
 /// Ends the program during a check that takes too long or is interrupted.
@@ -170,7 +178,7 @@ void end_check(int signal) {
   say(check ? "the check " : "its making or its first evaluation");
   say_if(check);
   say(is_over ? " within its processor time (--seconds)\n" : "\n");
-  _exit(is_over ? kOther : kInterrupted);
+  end_at_once(is_over ? kOther : kInterrupted);
 }
 
 void limit_checks(double seconds) {
@@ -182,20 +190,51 @@ void limit_checks(double seconds) {
   setitimer(ITIMER_PROF, &limit, nullptr);
 }
 
-/// Reports that a plugin ended the program.
+// The process that watches its own end, and whether its last step has been reached. Processes that it forks
+// do not watch theirs.
+pid_t watched = 0;
+volatile bool is_at_its_last_step = false;
+
+/// Reports that something other than the last step of the program ended the program: a plugin, or a library.
+/// The exit code is then never that of a success.
 void tell_of_an_early_end() {
+  if (is_at_its_last_step || getpid() != watched) return;
   const CallStack* calls = known_calls_of_this_thread();
-  if (under_test.empty() && !innermost_plugin(calls).type) return;
   std::fflush(stdout);
-  say_what_happened(" ended the program (exit) in ");
-  say("; a plugin must return, with a status and a sentence if it cannot continue\n");
-  _exit(kOther);
+  if (!under_test.empty() || innermost_plugin(calls).type) {
+    say_what_happened(" ended the program (exit) in ");
+    say("; a plugin must return, with a status and a sentence if it cannot continue\n");
+  } else
+    say("netloft: a plugin or a library ended the program (exit) before its last step\n");
+  end_at_once(kOther);
 }
 
 }  // namespace
 
+void end_at_once(int code) {
+#if defined(__linux__)
+  for (;;) syscall(SYS_exit_group, code);
+#else
+  ::_exit(code);
+#endif
+}
+
+int last_step(int code) {
+  is_at_its_last_step = true;
+  const std::string broken = take_broken_rule();
+  if (broken.empty()) return code;
+  print_error("netloft: " + broken);
+  return code == kDone ? kOther : code;
+}
+
+void end_called_from_outside(int code) {
+  tell_of_an_early_end();
+  end_at_once(code);
+}
+
 void explain_crashes() {
   calls_of_this_thread();  // creates the call stack record of this thread, with its stack for signals
+  watched = getpid();
   std::atexit(tell_of_an_early_end);
   std::at_quick_exit(tell_of_an_early_end);
   struct sigaction action {};
@@ -219,3 +258,13 @@ DamagedFileWatch::DamagedFileWatch(const std::string& path, bool json) {
 DamagedFileWatch::~DamagedFileWatch() { damaged.set(""); }
 
 }  // namespace netloft::program
+
+#if defined(__linux__)
+// Plugins find these functions before those of the C library, because the program comes first in the order in
+// which symbols are searched for. Nothing that the C library registers for the end of a program sees a call
+// of _exit.
+extern "C" {
+NETLOFT_EXPORT void _exit(int status) { netloft::program::end_called_from_outside(status); }
+NETLOFT_EXPORT void _Exit(int status) noexcept { netloft::program::end_called_from_outside(status); }
+}
+#endif

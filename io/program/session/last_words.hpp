@@ -7,9 +7,17 @@
 
 namespace netloft::program {
 
-/// Reports later crashes of the program, and plugins that call exit, on standard error: the running plugin,
-/// its call, and whether the stack overflowed. The exit code is then kOther.
+/// Reports later crashes of the program on standard error: the running plugin, its call, and whether the
+/// stack overflowed. The exit code is then kOther. It is also kOther, with a sentence, if anything ends the
+/// program before last_step() and not by end_at_once(): exit, quick_exit, _exit or _Exit in a plugin.
 void explain_crashes();
+/// Marks the last step of the program, and returns its exit code: `code`, unless a plugin broke a rule of the
+/// boundary that nobody has reported.
+int last_step(int code);
+/// Ends the process, without what is registered for its end.
+[[noreturn]] void end_at_once(int code);
+/// Serves callers of _exit and _Exit outside the program.
+[[noreturn]] void end_called_from_outside(int code);
 
 /// Reports crashes in conformance checks of `type` in the same way, and names the check. Checks may take
 /// `seconds` of processor time, and an interruption also ends them. An empty `type` ends this mode.

@@ -3,6 +3,7 @@
 
 #include "io/formats/text/printable.hpp"
 #include "io/program/session/error_json.hpp"
+#include "io/program/session/last_words.hpp"
 #include "io/program/session/print.hpp"
 #include "io/program/session/reading_progress.hpp"
 
@@ -196,7 +197,7 @@ void end_on_interrupts(bool json) {
   on_interrupts([](int) {
     [[maybe_unused]] auto written = write(STDERR_FILENO, said.data(), said.size());
     written = write(STDOUT_FILENO, object.data(), object.size());
-    _exit(kInterrupted);
+    end_at_once(kInterrupted);
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include "framework/balance/statistics.hpp"
 #include "io/program/session/error_json.hpp"
+#include "io/program/session/last_words.hpp"
 #include "io/program/session/options.hpp"
 #include "io/program/session/print.hpp"
 #include "io/program/session/reading_progress.hpp"
@@ -39,7 +40,7 @@ int exit_code(bool interrupted) { return interrupted ? kInterrupted : kNotConver
 void give_up(int) {
   constexpr char words[] = "netloft: the results so far could not be written: a plugin does not return\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, words, sizeof words - 1);
-  _exit(interrupt_flag() ? kInterrupted : kNotConverged);
+  end_at_once(interrupt_flag() ? kInterrupted : kNotConverged);
 }
 
 void limit_last_act() {
@@ -178,7 +179,7 @@ void Watchdog::end(bool interrupted, const std::string& sentence) {
   }
   std::fflush(stdout);
   std::fflush(stderr);
-  _exit(code);
+  end_at_once(code);
 }
 
 std::function<int(const Overdue&)> ending_with_a_sentence(Terminal& terminal, std::string what_is_left) {

@@ -99,7 +99,7 @@ void write_xdmf(const std::filesystem::path& result) {
     out += "</Grid>\n";
   }
   out += "</Grid></Domain></Xdmf>\n";
-  formats::write_whole(std::filesystem::path(result).replace_extension(".xdmf"), out);
+  formats::write_keeping(std::filesystem::path(result).replace_extension(".xdmf"), out);
 }
 
 }  // namespace netloft::results

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/analysis.hpp"
 
+#include "framework/registry/wrong_kind.hpp"
 #include "framework/search/named_component.hpp"
 #include "io/scenes/reading/element_choice.hpp"
 #include "io/scenes/reading/keys.hpp"
@@ -128,7 +129,7 @@ void read_component(formats::TableReader& table, const char* key, bool& refused,
   try {
     read();
   } catch (const PluginRefused& e) {
-    refused = true;
+    refused |= blames_plugin(e);
     report_refusal(table, key, e.what());
   }
 }
@@ -165,7 +166,7 @@ void check_named_by(const StrategyType& strategy, const GivenValues& given, form
       check_named(parameter, std::get<std::string>(values.at(parameter.name)), registry, given,
                   {strategy.type});
     } catch (const PluginRefused& e) {
-      refused = true;
+      refused |= blames_plugin(e);
       report_refusal(own, parameter.name, e.what());
     } catch (const std::invalid_argument& e) {
       own.error(parameter.name, e.what());
@@ -222,7 +223,6 @@ Analysis read_analysis(formats::TableReader table, Registry& registry, bool& ref
   }
   if (const auto names = registry.available();
       std::find(names.begin(), names.end(), a.solver) != names.end() && is_strategy(registry, a.solver)) {
-    refused = true;
     table.error("solver", "\"" + a.solver + "\" is a strategy, not a solver",
                 "write --strategy " + a.solver + ", or strategy = \"" + a.solver + "\" in [analysis]");
     return a;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/element_choice.hpp"
 
+#include "framework/registry/wrong_kind.hpp"
 #include "io/scenes/reading/idle_keys.hpp"
 #include "io/scenes/reading/parameter_reader.hpp"
 
@@ -38,7 +39,7 @@ const ElementType* ElementChoice::find(const std::string& name, formats::TableRe
   try {
     return &registry_.element(name);
   } catch (const PluginRefused& e) {
-    refused_ = true;
+    refused_ |= blames_plugin(e);
     report_refusal(table, "type", e.what());
     return nullptr;
   }
@@ -94,7 +95,7 @@ const LawType* ElementChoice::find_law(const std::string& name, formats::TableRe
   try {
     return &registry_.law(name);
   } catch (const PluginRefused& e) {
-    refused_ = true;
+    refused_ |= blames_plugin(e);
     report_refusal(table, key, e.what());
     return nullptr;
   }

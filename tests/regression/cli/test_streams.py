@@ -183,7 +183,7 @@ class Commands(InFreshFolder):
 
     def test_a_strategy_that_is_named_as_solver_gets_a_hint(self):
         wrong = self.netloft("run", *PANEL, "--solver", "auto")
-        self.assertEqual(wrong.code, 4)
+        self.assertEqual(wrong.code, 2)
         self.assertIn('"auto" is a strategy, not a solver', wrong.err)
         self.assertIn("--strategy auto", wrong.err)
 

@@ -42,7 +42,7 @@ LAWS = [
         ("a table without its law", "{ knots = 0.1 }", "11:10",
          'unknown key "knots" in parts.net.drag', 'allowed here: "law", "normal", "tangential", "shielding"', 2),
         ("an element for a law", '"rope/bar"', "11:8",
-         'parts.net.drag: "rope/bar" is an element, and no law', "", 4),
+         'parts.net.drag: "rope/bar" is an element, and no law', "", 2),
         ("screen: measured at less than nothing", '{ law = "hydro/loland", measured_at = -1 }', "11:46",
          "parts.net.drag.measured_at = -1 is outside [0, 1e5]", "", 2),
         ("screen: measured beyond the crisis", '{ law = "hydro/loland", measured_at = 1e6 }', "11:46",

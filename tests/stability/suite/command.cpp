@@ -171,7 +171,10 @@ int run_hard_cases(const SuiteOptions& o) {
   const MatrixTitle title{folder.string(), o.seed};
   MatrixSoFar matrix(title, o, terminal);
   program::Watchdog watchdog(terminal, [&](const program::Overdue& overdue) { return matrix.end(overdue); });
-  const auto rows = run_suite(suite, columns, references, registry, run_options(o, matrix, watchdog));
+  const RunOptions how = run_options(o, matrix, watchdog);
+  if (const auto refused = refuse_settings(suite, columns, references, registry, how))
+    return program::report_unready(*refused, PreparedScene::State::wrong_input, terminal);
+  const auto rows = run_suite(suite, columns, references, registry, how);
   if (rows.empty() && !program::interrupt_flag())
     throw program::UsageError{"no case of " + folder.string() + " has these names and sizes"};
   if (o.update_references && !program::interrupt_flag()) references.save();

@@ -69,6 +69,15 @@ class SuiteRun {
     return row;
   }
 
+  /// Reads a case as a column runs it. Returns its diagnostics if it is not accepted.
+  std::optional<formats::Diagnostics> read(const HardCase& c, const std::string& size, const Column& column) {
+    runs::PreparedScene one(source(c, size, column), registry_);
+    if (one.prepare([&](scenes::LoadedScene& loaded) { spoil(loaded.scene, c.start); }) ==
+        runs::PreparedScene::State::ready)
+      return {};
+    return one.diagnostics();
+  }
+
   bool interrupted() const { return options_.watch.interrupt && options_.watch.interrupt->load(); }
 
  private:
@@ -266,6 +275,25 @@ bool is_wanted(const HardCase& c, const std::string& size, const std::string& pa
 }
 
 }  // namespace
+
+std::optional<formats::Diagnostics> refuse_settings(const Suite& suite, const std::vector<Column>& columns,
+                                                    References& references, Registry& registry,
+                                                    const RunOptions& options) {
+  SuiteRun run(columns, references, registry, options);
+  for (const auto& column : columns) {
+    std::optional<formats::Diagnostics> first;
+    bool is_accepted = column.overrides.empty();
+    for (const auto& size : options.sizes)
+      for (const auto& c : suite.cases) {
+        if (is_accepted || !is_wanted(c, size, options.pattern)) continue;
+        auto refused = run.read(c, size, column);
+        is_accepted = !refused;
+        if (refused && !first && !run.read(c, size, {})) first = std::move(refused);
+      }
+    if (!is_accepted && first) return first;
+  }
+  return {};
+}
 
 std::vector<Row> run_suite(const Suite& suite, const std::vector<Column>& columns, References& references,
                            Registry& registry, const RunOptions& options) {

@@ -5,6 +5,7 @@
 #include "tests/stability/suite/references.hpp"
 
 #include <functional>
+#include <optional>
 
 namespace netloft::hard_cases {
 
@@ -41,6 +42,13 @@ struct RunOptions {
   runs::Watch watch;
   std::function<void(const Row&)> on_row;
 };
+
+/// Reads the wanted cases with the settings of the columns, until one is accepted. Returns the diagnostics of
+/// the first column whose settings no case accepts, though a case is accepted without them; nothing if there
+/// is none. Such settings are wrong, and not only unfit for some gears.
+std::optional<formats::Diagnostics> refuse_settings(const Suite& suite, const std::vector<Column>& columns,
+                                                    References& references, Registry& registry,
+                                                    const RunOptions& options);
 
 /// Runs the suite, case by case. An interrupt ends it during a case, which is then left out.
 std::vector<Row> run_suite(const Suite& suite, const std::vector<Column>& columns, References& references,

@@ -99,15 +99,18 @@ TEST(LawWatch, BeginsAnewEachTime) {
   }
 }
 
-TEST(LawWatch, HandsOnThePlainLawWhereItHasNoRange) {
+TEST(LawWatch, HasNothingToSayOfALawWithoutARange) {
   LawTable<Push> table("push", "pushes");
   const LawType law = law_with(table, [](auto& t) {
     t.valid(Quantity::reynolds, 0, 1, "nobody", {.where = "measured_at"});
     t.valid(Quantity::reynolds, 0, 1, "nobody", {.where = "curve"});
   });
   const auto block = block_of(law);
-  EXPECT_EQ(LawWatch(law, block).bound().evaluate, law.law.evaluate);
-  EXPECT_EQ(LawWatch(law, block).bound().parameters, block.data());
+  LawWatch watch(law, block);
+  watch.begin();
+  Two two;
+  EXPECT_EQ(watch.bound().evaluate(watch.bound().parameters, &two.f), NETLOFT_OK);
+  EXPECT_TRUE(watch.end().ranges.empty());
 }
 
 TEST(LawWatch, KnowsWhichRangesHold) {

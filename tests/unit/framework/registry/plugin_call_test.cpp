@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <pthread.h>
+
 #include <algorithm>
+#include <cfenv>
+#include <stdexcept>
 #include <thread>
 
 namespace netloft {
@@ -61,6 +65,80 @@ void nest(int more) {
 TEST(PluginCall, SurvivesWhatIsNestedDeeperThanItHasNamesFor) {
   nest(3 * static_cast<int>(CallStack::kDeepest));
   EXPECT_EQ(calls_of_this_thread().depth(), 0u);
+}
+
+// ---------------------------------------------------------------- the rules of the boundary
+
+template <class Body>
+std::string rule_broken_by(Body&& body) {
+  EXPECT_EQ(call_plugin(kTerm, -1, body), -1);
+  return take_broken_rule();
+}
+
+TEST(PluginCall, ReturnsWhatAFunctionReturnsThatKeepsTheRules) {
+  EXPECT_EQ(call_plugin(kTerm, -1, [] { return 7; }), 7);
+  EXPECT_EQ(take_broken_rule(), "");
+}
+
+TEST(PluginCall, LetsNoExceptionOut) {
+  const std::string thrown = rule_broken_by([]() -> int { throw std::runtime_error("unfinished"); });
+  EXPECT_EQ(thrown, "rope/bar let an exception out of term elastic: unfinished");
+  EXPECT_EQ(rule_broken_by([]() -> int { throw 1; }), "rope/bar let an exception out of term elastic");
+  EXPECT_EQ(calls_of_this_thread().depth(), 0u);
+}
+
+TEST(PluginCall, RestoresTheDirectionOfRounding) {
+  const int before = std::fegetround();
+  const std::string left = rule_broken_by([] { return std::fesetround(FE_UPWARD); });
+  EXPECT_NE(left.find("rope/bar left another floating-point mode"), std::string::npos) << left;
+  EXPECT_EQ(std::fegetround(), before);
+}
+
+TEST(PluginCall, LetsTheHostComputeInItsOwnModeWhenAMethodCallsBack) {
+  const int before = std::fegetround();
+  const int status = call_plugin(kSolver, -1, [&] {
+    std::fesetround(FE_UPWARD);
+    const HostCall back;
+    EXPECT_EQ(std::fegetround(), before);
+    return 0;
+  });
+  EXPECT_EQ(status, -1);
+  EXPECT_NE(take_broken_rule().find("slow/solver left another"), std::string::npos);
+}
+
+TEST(PluginCall, ToleratesFlagsOfExceptions) {
+  EXPECT_EQ(call_plugin(kTerm, -1, [] { return std::feraiseexcept(FE_DIVBYZERO | FE_INEXACT); }), 0);
+  EXPECT_EQ(take_broken_rule(), "");
+}
+
+TEST(PluginCall, BlamesALawAndNotTheElementThatCallsIt) {
+  constexpr CallFrame kLaw{"hydro/law", "evaluate", nullptr, CallFrame::Kind::element};
+  const std::string broken = rule_broken_by([&] {
+    call_plugin(kLaw, -1, [] { return std::fesetround(FE_DOWNWARD); });
+    return 0;  // as if the element did not look at the status
+  });
+  EXPECT_NE(broken.find("hydro/law left another"), std::string::npos) << broken;
+}
+
+TEST(PluginCall, EndsTheSentenceOfAPluginThatHasNoEnd) {
+  char text[4] = {'x', 'x', 'x', 'x'};
+  EXPECT_FALSE(take_broken_rule(text));
+  EXPECT_STREQ(text, "xxx");
+}
+
+TEST(PluginCallDeathTest, EndsTheProgramAfterAJumpOverFunctionsOfTheHost) {
+  const auto jump_over_host = [] {
+    call_plugin(kSolver, -1, [] {
+      calls_of_this_thread().push({});  // a call of the host that never returns
+      return 0;
+    });
+  };
+  EXPECT_DEATH(jump_over_host(), "");
+}
+
+TEST(PluginCallDeathTest, EndsTheProgramIfAPluginEndsItsThread) {
+  const auto end_thread = [] { call_plugin(kTerm, -1, []() -> int { pthread_exit(nullptr); }); };
+  EXPECT_DEATH(end_thread(), "");
 }
 
 TEST(PluginCall, IsSeenFromOtherThreads) {

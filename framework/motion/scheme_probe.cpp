@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "framework/motion/scheme_probe.hpp"
+
+#include <netloft/vectors.hpp>
+
+#include "framework/motion/march_ending.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace netloft {
+
+namespace {
+
+// Forces below this fraction of the load may be left by the tolerance of the search for the start.
+constexpr double kDrives = 1e-3;
+// Distances below this many roundings of the largest displacement are not distinguished from rounding.
+constexpr double kRoundings = 1e4;
+constexpr double kShortest = 1e-7;  // shortest step, relative to that of the march
+
+}  // namespace
+
+SchemeProbe::SchemeProbe(Assembler& assembler, double mass_damping, SolverChoice solver,
+                         const MakeFactorisation& make, const Limits& limits)
+    : problem_(assembler, mass_damping, solver, make, limits) {
+  for (auto* vector : {&a_, &force_, &mean_a_, &next_u_, &next_v_, &next_a_, &error_})
+    vector->assign(problem_.size(), 0.0);
+}
+
+std::string SchemeProbe::fault_of(const StepScheme& scheme, const MarchState& at) {
+  if (!find_forces(at) || !(is_driven_ || is_moving_)) return {};
+  bool has_taken_one = false;
+  double left = 0, path = 0, h = 0.1 * at.h;
+  for (; h >= kShortest * at.h; h *= 0.1) {
+    if (!takes_step(scheme, at, h)) continue;
+    has_taken_one = true;
+    left = left_over(at, h);
+    path = moved(at, h);
+    if ((!is_driven_ || left <= 0.5 * driving_) && (!is_moving_ || std::abs(path - 1) <= 0.5)) return {};
+  }
+  if (!has_taken_one) return {};
+  char text[320];
+  std::snprintf(
+      text, sizeof text,
+      "the integrator %s does not follow the equation of motion: a step of %s leaves %.3g N of forces of "
+      "%.3g N out of balance, and moves the gear by %.3g of the way that it goes in this time",
+      scheme.name().c_str(), seconds_text(10 * h).c_str(), left, driving_, path);
+  return text;
+}
+
+bool SchemeProbe::find_forces(const MarchState& at) {
+  problem_.set_least_load(at.least_load);
+  if (problem_.start(at.t, at.u, at.v, a_) != NETLOFT_OK) return false;
+  std::fill(mean_a_.begin(), mean_a_.end(), 0.0);
+  driving_ = largest_force(at, mean_a_);
+  is_driven_ = driving_ > kDrives * problem_.least_load();
+  is_moving_ = largest_of(at.v) * kShortest * at.h >
+               kRoundings * std::numeric_limits<double>::epsilon() * std::max(1.0, largest_of(at.u));
+  return true;
+}
+
+/// The largest of the forces F(t, u, v, a) on unknowns with mass [N]; infinite if they cannot be computed.
+double SchemeProbe::largest_force(const MarchState& at, std::span<const double> a) {
+  netloft_motion& m = problem_.interface();
+  if (m.residual(m.host, at.t, at.u.data(), at.v.data(), a.data(), force_.data()) != NETLOFT_OK)
+    return std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < a_.size(); ++i)
+    if (a_[i] == 0) force_[i] = 0;
+  return largest_of(force_);
+}
+
+/// The largest force that the velocities of the last step leave over [N], by the first half of (1).
+double SchemeProbe::left_over(const MarchState& at, double h) {
+  for (std::size_t i = 0; i < a_.size(); ++i) mean_a_[i] = a_[i] == 0 ? 0 : (next_v_[i] - at.v[i]) / h;
+  return largest_force(at, mean_a_);
+}
+
+/// How far the last step goes, as a fraction of the second half of (1).
+double SchemeProbe::moved(const MarchState& at, double h) const {
+  double went = 0, due = 0;
+  for (std::size_t i = 0; i < a_.size(); ++i) {
+    if (a_[i] == 0) continue;
+    went += (next_u_[i] - at.u[i]) * at.v[i];
+    due += h * at.v[i] * at.v[i];
+  }
+  return due > 0 ? went / due : 1;
+}
+
+bool SchemeProbe::takes_step(const StepScheme& scheme, const MarchState& at, double h) {
+  std::fill(error_.begin(), error_.end(), 0.0);
+  netloft_motion& m = problem_.interface();
+  m.t = at.t;
+  m.h = h;
+  m.u = at.u.data();
+  m.v = at.v.data();
+  m.a = a_.data();
+  m.u_new = next_u_.data();
+  m.v_new = next_v_.data();
+  m.a_new = next_a_.data();
+  m.error = error_.data();
+  return scheme.step(m) == NETLOFT_OK;
+}
+
+}  // namespace netloft
