@@ -31,6 +31,7 @@ COMMANDS = {  # what it is called with
     "estimates.py": (PROGRAM, "ropes", "--places", "1"),
     "steering.py": (SOURCE,),
     "stage_counts.py": (PROGRAM, SOURCE, "--only", "cod-end"),
+    "attempts.py": (PROGRAM, SOURCE, "--nodes", "100", "--only", "flume-3.0kn"),
     # A search through all others for each thing would make ten thousand take thirty times as long as one thousand, or more.
     "reading.py": (PROGRAM, "--most", "10000", "--seconds", "20", "--check", "20"),
 }
