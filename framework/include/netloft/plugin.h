@@ -3,8 +3,9 @@
  * The boundary between Netloft and a plugin: plain data and C functions, nothing else.
  *
  * A plugin is a shared object that exports one symbol, netloft_plugin_v1, which returns a description of what
- * is inside. No C++ type, exception or allocation crosses the boundary, no call leaves another rounding behind
- * or ends the program, and a plugin links to no library of Netloft. Most authors use netloft/element.hpp etc.
+ * is inside. No C++ type, exception or allocation crosses the boundary, no call leaves another rounding
+ * behind or ends the program, and a plugin links to no library of Netloft. Most authors use
+ * netloft/element.hpp etc.
  *
  * This header is the core, which is sufficient for an element such as a rope or a float. Everything else is
  * an extension with its own header in netloft/ext/ and an identifier such as "netloft.waves/1". Hosts and
