@@ -27,7 +27,7 @@ constexpr double kLook = 0.1;  // [s] between two inspections
 // [s] that a plugin call may take after the time is over; factorisations of the host do not count
 constexpr double kGrace = 2;
 constexpr double kGraceOfReading = 0.5;  // [s] that reading a scene may still take
-constexpr double kGraceOfWriting = 0.7;  // [s] of processor time that writing a result may still take
+constexpr double kGraceOfWriting = 0.5;  // [s] of processor time that writing a result may still take
 // Calls of the host that a method may still make after the time is over. Built-in solvers check the time at
 // least ten times within as many calls.
 constexpr std::uint64_t kCallbacks = 1000;

@@ -37,7 +37,7 @@ class Watchdog {
 
   /// Sets the processor time that is allowed from now on [s].
   void allow(double seconds);
-  /// From now on the result is written, which may take the better part of a second of processor time after an
+  /// From now on the result is written, which may take half a second of processor time after an
   /// interruption. If it takes longer, calls `abandon` in the thread of the watchdog and ends the program.
   void begin_writing(std::function<void()> abandon);
   /// Ends this: the result is complete, and an interruption no longer prevents that it gets its name.
