@@ -124,7 +124,7 @@ void Watchdog::abandon_result() {
   if (terminal_.json()) print_line(error_json(said, kInterrupted));
   std::fflush(stdout);
   std::fflush(stderr);
-  _exit(kInterrupted);
+  end_at_once(kInterrupted);
 }
 
 /// Compares the calls of all threads with those at the last inspection.

@@ -97,7 +97,7 @@ class Imports(InFreshFolder):
     def test_a_mooring_hangs_in_a_catenary_and_lies_on_its_bed(self):
         self.write("lines.txt", MOORING)
         said = self.imported("moordyn", "lines.txt").err
-        self.assertIn("lines.txt:11:6: warning: point-2 is held where it is", said)
+        self.assertIn("lines.txt:11:6: warning: point-2 is held at its position", said)
         figures = self.solved('top = { of = "line-1", take = "max tension" }\nlow = { of = "line-2", take = "min z" }\n')
         w = (12 - 1000 * math.pi * 0.05 ** 2 / 4) * 9.81
         H, V = elastic_catenary(80, 20, 95, 2e7, w)
