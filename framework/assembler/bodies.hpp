@@ -52,10 +52,11 @@ class Bodies {
   /// nullptr.
   void hand_on(std::span<const double> x, const BodyMotion& motion, double* residual,
                const BodyMatrices& matrices, bool exact);
-  /// Replaces the rotation block A of each body by tr(A) I, an upper bound of A (5), in the values of a
-  /// metric (a positive semi-definite matrix) to which (3) has been applied. The reason: A is singular if all
-  /// points of the body are on one line, because nothing resists a rotation about that line.
+  /// `metric` has the values of a positive semi-definite matrix, after hand_on(). In these values, replaces
+  /// the rotation block A of each body by an upper bound of A:
   ///   tr(A) I ≥ A                                                                           (5)
+  /// A itself is singular if all points of the body are on one line, because nothing resists a rotation about
+  /// that line.
   void resist_turning(double* metric) const;
   /// Adds the mass blocks of carried nodes to the mass blocks of their bodies by (3). `between` has one block
   /// per body, origin x rotation.

@@ -23,8 +23,8 @@ struct Judging {
 /// Limits of one solve.
 struct Limits {
   double tolerance = kTolerance;  // largest nodal residual over the largest nodal load
-  // Largest number of iterations. The default is meant for one solve: the strategy `auto` continues an
-  // attempt that this limit ended.
+  // Largest number of iterations of one solve. It does not bound a strategy, which may continue from where
+  // the limit ended a solve.
   int iterations = 1000;
   double seconds = std::numeric_limits<double>::infinity();  // processor time that the user allows
   const std::atomic<bool>* interrupt = nullptr;

@@ -54,7 +54,8 @@ struct MarchState {
   double mean_step() const { return t / static_cast<double>(steps); }
 };
 
-/// The scene at rest, at its start or displaced by u.
+/// The state in which nothing moves: nodes are at their initial positions or, if u is given, displaced from
+/// them by u.
 MarchState state_at_rest(const Assembler& assembler, std::span<const double> u = {});
 
 }  // namespace netloft

@@ -16,11 +16,12 @@ netloft_variant combined(const netloft_variant& outer, const netloft_variant& in
 /// scene.
 std::string text_of(const netloft_variant& variant);
 
-/// Returns a scene with the same parts and nodes but other parameters. The level of the variant is ignored.
-/// The roles of parameters (NETLOFT_STIFFNESS, NETLOFT_COMPRESSION) determine which of them change.
-///   stiffness_cap  lowers all stiffnesses of a part by one factor, so that no axial one exceeds the cap [N]
+/// Returns a scene with the same parts and nodes but other parameters; the coarser mesh of a variant is made
+/// elsewhere. Which parameters change follows from their roles (NETLOFT_STIFFNESS, NETLOFT_COMPRESSION):
+///   stiffness_cap  divides all stiffnesses of a part by one factor, which brings its largest axial
+///                  stiffness down to the cap [N] if that is exceeded
 ///   compression    multiplies stiffnesses in compression; at zero, the elastic energy under dead loads is
-///                  convex, so that there is one equilibrium
+///                  convex, so that every equilibrium has the least energy
 ///   current        multiplies the velocities of the water and of the tow
 Scene make_variant(const Scene& scene, Registry& registry, const netloft_variant& variant);
 

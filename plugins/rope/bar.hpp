@@ -30,7 +30,9 @@ struct Bar {
   struct Lanes : bars::Lanes {
     double constant_tension[kLanes], weight_in_water[kLanes];
     netloft_table length_share[kLanes];
-    bool changes, is_weighed;  // whether some rope has a table; whether some rope has a weight in water
+    // changes: the length of some rope changes in time by a table; is_weighed: some rope has a weight in
+    // water
+    bool changes, is_weighed;
   };
 
   /// The factor σ of (2) on the length of the rope.

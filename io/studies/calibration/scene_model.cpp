@@ -14,8 +14,8 @@ namespace netloft::studies {
 namespace {
 
 constexpr int kIterations = 30;  // limit of iterations from the previous equilibrium, before a new search
-// The step of finite differences over the prior deviation of the parameter. It is large against the noise of
-// solves, and so small that curvature does not matter.
+// The step of finite differences, as a fraction of the standard deviation of the parameter before the
+// calibration. It is large against the noise of solves, and so small that curvature does not matter.
 constexpr double kStep = 0.1;
 
 double figure_named(const std::vector<StudyFigure>& figures, const std::string& name) {
