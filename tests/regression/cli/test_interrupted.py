@@ -35,7 +35,7 @@ class Interrupted(InFreshFolder):
         for name in KEPT:
             self.write(name, "earlier")
 
-    def interrupted(self, *words, is_due=lambda line: b"progress" in line):
+    def interrupted(self, *words, is_due=lambda line: b"progress" in line and b"assembling" not in line):
         """Standard output and error of a command that is interrupted when a line of standard error is there."""
         process = subprocess.Popen(self.command(*words), cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, env=self.environment())
