@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Nonsense for everything that works on a net plan: each input is read, checked, drawn and made a gear of.
 #include "io/gears/drawing/drawing.hpp"
+#include "io/gears/meshing/division.hpp"
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/gear.hpp"
 #include "io/gears/plan/read_plan.hpp"
@@ -43,6 +44,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   gears::NetPlan plan =
       read_plan_text({reinterpret_cast<const char*>(data), size}, "plan.toml", catalogue(), diagnostics);
   if (diagnostics.errors() == 0) gears::check_plan(plan, diagnostics);
+  if (diagnostics.errors() == 0) gears::check_seams(plan, diagnostics);
   use(diagnostics.render(false).size());
   if (diagnostics.errors()) return 0;
   use(gears::draw_plan(plan).size());

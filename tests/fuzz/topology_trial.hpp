@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/gears/meshing/cannot_divide.hpp"
+#include "io/gears/meshing/division.hpp"
 #include "io/gears/meshing/start_shape.hpp"
 #include "io/gears/plan/check.hpp"
 #include "tests/fuzz/topology.hpp"
@@ -117,6 +118,7 @@ inline TopologyTrial try_topology(const std::string& text, const gears::Fineness
   formats::Diagnostics diagnostics;
   gears::NetPlan plan = gears::read_plan_text(text, "plan.toml", {}, diagnostics);
   if (diagnostics.errors() == 0) gears::check_plan(plan, diagnostics);
+  if (diagnostics.errors() == 0) gears::check_seams(plan, diagnostics);
   for (const auto& said : diagnostics.sorted()) {
     if (said.place.line < 1) trial.faults.push_back("a message without a place: " + said.message);
     if (said.severity == formats::Severity::error) trial.refusals.push_back(said.message);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/meshing/division.hpp"
 
+#include "io/gears/meshing/cannot_divide.hpp"
+#include "io/gears/meshing/gear_size.hpp"
+#include "io/gears/meshing/seam_lines.hpp"
+
 #include <tuple>
 
 namespace netloft::gears {
@@ -73,7 +77,28 @@ bool is_same(const Rope& a, const Rope& b) {
   return all(a) == all(b);
 }
 
+/// Throws CannotDivide about a seam of the whole gear that cannot be sewn.
+void require_sewable(const NetPlan& plan) {
+  const Gear gear = make_gear(plan, Extent::whole);
+  const Fineness usual;
+  try {
+    seam_lines(gear, cloths_of(gear), usual, size_for(gear, usual));
+  } catch (const CannotDivide&) {
+    throw;
+  } catch (const std::invalid_argument&) {
+    return;  // too many elements, of which the division tells more
+  }
+}
+
 }  // namespace
+
+void check_seams(const NetPlan& plan, formats::Diagnostics& diagnostics) {
+  try {
+    require_sewable(plan);
+  } catch (const CannotDivide& refused) {
+    refused.report(plan, diagnostics);
+  }
+}
 
 bool DivisionInput::operator==(const DivisionInput& other) const {
   const NetPlan &a = geometry, &b = other.geometry;
@@ -89,8 +114,10 @@ Division::Division(DivisionInput input)
       shapes_(gear_, mesh_) {}
 
 std::shared_ptr<Division> Divisions::of(const NetPlan& plan, Extent extent, const Fineness& fineness) {
-  return recent_.of({geometry_of(plan), extent, fineness},
-                    [](const DivisionInput& input) { return std::make_shared<Division>(input); });
+  return recent_.of({geometry_of(plan), extent, fineness}, [](const DivisionInput& input) {
+    if (input.extent == Extent::half) require_sewable(input.geometry);  // the whole gear tells while divided
+    return std::make_shared<Division>(input);
+  });
 }
 
 }  // namespace netloft::gears

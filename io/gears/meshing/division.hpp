@@ -8,6 +8,10 @@ namespace netloft::gears {
 /// positions, tensions, the ship, and places in files.
 NetPlan geometry_of(const NetPlan& plan);
 
+/// Checks whether the seams can be sewn all at once: none joins points of one edge to each other, and none
+/// twists the net. The plan must be free of errors.
+void check_seams(const NetPlan& plan, formats::Diagnostics& diagnostics);
+
 /// The data on which the division of a gear into elements depends.
 struct DivisionInput {
   NetPlan geometry;
@@ -33,7 +37,8 @@ class Division {
   StartShapes shapes_;
 };
 
-/// Divides gears. Stores the last few divisions and reuses them for plans with the same geometry.
+/// Divides gears. Stores the last few divisions and reuses them for plans with the same geometry. Throws
+/// CannotDivide also about half a gear whose other half could not be sewn to it.
 class Divisions {
  public:
   std::shared_ptr<Division> of(const NetPlan& plan, Extent extent, const Fineness& fineness);

@@ -2,9 +2,6 @@
 #include "io/gears/plan/check.hpp"
 
 #include "io/formats/work/long_work.hpp"
-#include "io/gears/meshing/cannot_divide.hpp"
-#include "io/gears/meshing/gear_size.hpp"
-#include "io/gears/meshing/seam_lines.hpp"
 
 #include <fmt/format.h>
 
@@ -26,19 +23,6 @@ void check_plan(NetPlan& plan, formats::Diagnostics& diagnostics, const CheckLim
   if (diagnostics.errors() > 0) return;
   check_loose_ropes(plan, limits, diagnostics);
   check_open_edges(plan, diagnostics);
-  check_seams(plan, diagnostics);
-}
-
-void check_seams(const NetPlan& plan, formats::Diagnostics& diagnostics) {
-  const Gear gear = make_gear(plan, Extent::whole);
-  const Fineness usual;
-  try {
-    seam_lines(gear, cloths_of(gear), usual, size_for(gear, usual));
-  } catch (const CannotDivide& refused) {
-    refused.report(plan, diagnostics);
-  } catch (const std::invalid_argument&) {
-    return;  // too many elements, of which the division tells more
-  }
 }
 
 std::string in_meshes(double meshes) {

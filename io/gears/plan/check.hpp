@@ -41,10 +41,6 @@ void check_open_edges(const NetPlan& plan, formats::Diagnostics& diagnostics);
 /// no rope may lead from a point to itself. The plan must be free of errors.
 void check_spans(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 
-/// Checks whether the seams can be sewn all at once: none joins points of one edge to each other, and none
-/// twists the net. The plan must be free of errors.
-void check_seams(const NetPlan& plan, formats::Diagnostics& diagnostics);
-
 /// Numbers as net makers write them: 25.8 meshes, 12.35 m, +1.7 %; without the unit for meshes and metres.
 std::string in_meshes(double meshes);
 std::string in_metres(double metres);

@@ -201,7 +201,7 @@ double place_at(const std::vector<PanelPoint>& side, double y, bool is_outer) {
 /// Refuses a panel whose sides meet or cross between its fore and its aft edge.
 void check_width(const Panel& panel, formats::Diagnostics& diagnostics) {
   constexpr double kNone = 1e-9;  // [meshes]
-  const Outline outline = outline_of(panel);
+  const Outline& outline = panel.outline;
   const auto outer = side_of(outline, true), inner = side_of(outline, false);
   for (const auto* side : {&outer, &inner})
     for (const auto& corner : *side) {

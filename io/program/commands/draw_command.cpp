@@ -2,6 +2,7 @@
 #include "io/formats/hdf5/journal.hpp"
 #include "io/gears/drawing/drawing.hpp"
 #include "io/gears/meshing/cannot_divide.hpp"
+#include "io/gears/meshing/division.hpp"
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/read_plan.hpp"
 #include "io/program/commands/draw_polars.hpp"
@@ -89,6 +90,7 @@ int draw_plan(const DrawOptions& options) {
   refuse_undone(options.set);
   gears::NetPlan plan = gears::read_plan(options.file, options.set, diagnostics);
   if (diagnostics.errors() == 0) gears::check_plan(plan, diagnostics);
+  if (diagnostics.errors() == 0) gears::check_seams(plan, diagnostics);
   if (const int code = say(diagnostics, terminal); code != kDone) return code;
   const std::string output = output_of(options);
   formats::Diagnostics of_division = diagnostics.without_messages();

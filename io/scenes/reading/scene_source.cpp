@@ -2,6 +2,7 @@
 #include "io/scenes/reading/scene_source.hpp"
 
 #include "io/formats/work/long_work.hpp"
+#include "io/gears/meshing/division.hpp"
 #include "io/gears/meshing/recent.hpp"
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/read_plan.hpp"
@@ -202,6 +203,7 @@ class SceneSource::Memory {
     std::map<std::string, Strength> strengths;
     const auto plan = read_plan(root, catalogue, registry, diagnostics, strengths);
     if (!plan) return gears::read_plan(root, *catalogue.load(), diagnostics);  // reports the missing plan
+    if (diagnostics.errors() == 0) gears::check_seams(plan->plan, diagnostics);
     if (diagnostics.errors() == 0)
       SceneReader(root, &plan->plan, divisions_, file_.parent_path(), registry, diagnostics, refused).check();
     return plan->plan;

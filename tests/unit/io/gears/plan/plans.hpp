@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/gears/meshing/division.hpp"
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/read_plan.hpp"
 #include "tests/folders.hpp"
@@ -94,6 +95,7 @@ inline CheckedPlan check_text(const std::string& text) {
   CheckedPlan checked;
   checked.plan = read_plan_text(text, "plan.toml", checked.diagnostics);
   if (checked.diagnostics.errors() == 0) check_plan(checked.plan, checked.diagnostics);
+  if (checked.diagnostics.errors() == 0) check_seams(checked.plan, checked.diagnostics);
   return checked;
 }
 
