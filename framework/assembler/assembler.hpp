@@ -42,8 +42,8 @@ class Assembler : public Placement {
   /// The name of a node: "net node 17", or "catch front" for shared unknowns of a part.
   std::string node_name(const Scene& scene, std::uint32_t node) const;
 
-  /// Lets every element store what it remembers of positions x (for instance, where it sticks to the ground),
-  /// as the last accepted step. An evaluation uses these memories and does not change them. The constructor
+  /// Makes x the last accepted step: every element stores its memory of it, for instance the point at which
+  /// it sticks to the ground. An evaluation uses these memories and does not change them. The constructor
   /// stores the memories of the initial positions. Returns false and changes nothing if an element could not
   /// be evaluated: see fault().
   bool remember(std::span<const double> x, const Kinematics& motion = {});

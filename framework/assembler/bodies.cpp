@@ -89,8 +89,8 @@ Bodies::Bodies(const Scene& scene, const Numbering& numbering, const NodeBlocks&
         add_products(blocks, 9 * b, blocks.row_node[b], column, symmetric);
 }
 
-/// In a symmetric matrix, a lower block off the diagonal also represents its transpose; a diagonal block
-/// represents itself alone.
+/// A symmetric matrix stores its lower triangle only. A block below the diagonal therefore also stands for
+/// its transpose, and a block on the diagonal for itself alone.
 void Bodies::add_products(const NodeBlocks& blocks, std::size_t from, std::uint32_t row, std::uint32_t column,
                           bool symmetric) {
   const bool on_diagonal = row == column;
@@ -239,8 +239,8 @@ void Bodies::hand_on_masses(std::span<const double> x, std::span<double> blocks,
 
 bool Bodies::shorten(std::span<const double> start, std::span<double> u, std::span<double> v,
                      std::span<double> a) const {
-  // ¾ of a turn is half-way from half a turn to a whole turn. At a whole turn, a spin determines no rate of
-  // ψ.
+  // ¾ of a turn is half-way from half a turn to a whole turn, where the rate of ψ does not follow from a
+  // spin.
   constexpr double kLongest = 4.71238898038469;
   bool some = false;
   for (const Body& body : bodies_) {

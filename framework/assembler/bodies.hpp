@@ -4,37 +4,37 @@
 
 namespace netloft {
 
-/// Velocities and accelerations over all dofs (nullptr at rest), and the factors of a matrix cu ∂r/∂x + cv
-/// ∂r/∂v
-/// + ca ∂r/∂a.
+/// Velocities and accelerations over all dofs (nullptr at rest), and the factors of the derivatives of the
+/// residual r in the matrix cu ∂r/∂x + cv ∂r/∂v + ca ∂r/∂a.
 struct BodyMotion {
   const double *v = nullptr, *a = nullptr;
   double cu = 1, cv = 0, ca = 0;
 };
 
-/// The matrix values of one evaluation, to which hand_on() adds those of carried nodes. C (`damping`) and M
-/// (`mass`) of (4) below are sums over the elements at carried nodes; if both are nullptr, (4) is left out.
+/// The matrix values of one evaluation, to which hand_on() adds those of carried nodes. `damping` and `mass`
+/// are the sums of C and M in (4) below over the elements at carried nodes; if both are nullptr, (4) is left
+/// out.
 struct BodyMatrices {
   double* values = nullptr;
   const double *damping = nullptr, *mass = nullptr;
 };
 
-/// Nodes that rigid bodies carry. Elements treat a carried node like any other; its forces and matrix values
-/// are passed on to its body. ψ is the rotation vector of the body, ℓ a length (the arm of the body), q = ℓψ
-/// the unknowns of the rotation, and r the position of a node in the body's own axes:
+/// Nodes that rigid bodies carry. Elements treat a carried node at x like any other; its residual f and its
+/// matrix values K are then passed on to its body. X is the origin of the body, ψ its rotation vector, ℓ a
+/// length (its arm), q = ℓψ the unknowns of its rotation, and r the position of the node in the body's own
+/// axes:
 ///   x = X + R(ψ) r,   ẋ = Ẋ + G q̇,   ẍ = Ẍ + G q̈ + Ġ q̇,   G = ∂x/∂q                                     (1)
 ///   f_X += f,   f_q += Gᵀ f                                                                             (2)
 ///   K ← [I G]ᵀ K [I G],   K_qq += cu Σ_i f_i ∂²x_i/∂q²    (the geometric term)                          (3)
 ///   K_·q += [I G]ᵀ (C V + M (cv A_v + cu A)),  V = cu ∂ẋ/∂q,  A_v = ∂ẍ/∂q̇,  A = ∂ẍ/∂q    (in motion)    (4)
-/// where K = cu ∂f/∂x + cv C + ca M. All derivatives are exact (dual numbers). f_q is a force: the moment
-/// that does work on ψ, divided by the arm.
+/// where K = cu ∂f/∂x + cv C + ca M, C = ∂f/∂ẋ, M = ∂f/∂ẍ. All derivatives are exact (dual numbers). f_q is a
+/// force: the moment that does work on ψ, divided by the arm.
 class Bodies {
  public:
   Bodies(const Scene& scene, const Numbering& numbering, const NodeBlocks& blocks, bool symmetric);
 
   bool empty() const { return pairs_.empty(); }
-  /// For each body, the numbers of two nodes: that of its origin, and that whose coordinates are its rotation
-  /// vector.
+  /// For each body, the numbers of two nodes: its origin, and the node whose coordinates are its rotation.
   const std::vector<std::array<std::uint32_t, 2>>& pairs() const { return pairs_; }
   double arm(std::size_t body) const { return bodies_[body].arm; }
   /// The origin of the body that carries a node; the node itself if no body carries it.
@@ -52,8 +52,8 @@ class Bodies {
   /// nullptr.
   void hand_on(std::span<const double> x, const BodyMotion& motion, double* residual,
                const BodyMatrices& matrices, bool exact);
-  /// `metric` has the values of a positive semi-definite matrix, after hand_on(). In these values, replaces
-  /// the rotation block A of each body by an upper bound of A:
+  /// Replaces the rotation block A of each body by an upper bound of A. `metric` has the values of a positive
+  /// semi-definite matrix, after hand_on():
   ///   tr(A) I ≥ A                                                                           (5)
   /// A itself is singular if all points of the body are on one line, because nothing resists a rotation about
   /// that line.

@@ -19,7 +19,8 @@ void add_symmetric_part(const double* __restrict square, std::size_t n, double* 
     }
 }
 
-/// Adds the convex part of the tangent of each element (stored in the scratch rows) to the packed `triangle`.
+/// Adds the convex part of each element's tangent (project_convex) to the packed `triangle`. The scratch rows
+/// hold the tangents.
 void add_convex_parts(std::size_t n, bool symmetric, std::size_t count, TileSums& sums, double* triangle) {
   for (std::size_t lane = 0; lane < count; ++lane) {
     for (std::size_t r = 0; r < n; ++r)
@@ -34,9 +35,9 @@ void add_convex_parts(std::size_t n, bool symmetric, std::size_t count, TileSums
   }
 }
 
-/// Adds a matrix that differs from the exact tangent of a term. If the term offers the convex part or the
-/// metric, it evaluates the matrix itself; else the matrix is derived from the exact tangent of the term. If
-/// a symmetric matrix is requested, the symmetric part of an unsymmetric tangent is added.
+/// Adds a matrix of a term that is not its exact tangent: the convex part or the metric (ext/convex.h), or the
+/// symmetric part of an unsymmetric tangent for a symmetric matrix. A term that offers the convex part or the
+/// metric evaluates it itself; otherwise the matrix is derived from the exact tangent of the term.
 int call_matrix_term(const ElementFamily& f, const netloft_term& term, netloft_tile& t, MatrixKind kind,
                      TileSums& sums) {
   const bool symmetric = term.traits & NETLOFT_SYMMETRIC;

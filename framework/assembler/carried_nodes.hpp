@@ -5,9 +5,9 @@
 
 namespace netloft {
 
-/// A carried node moves with a rigid body. Passes the forces and matrices of an evaluation on from carried
-/// nodes to their bodies by (2) to (4) of bodies.hpp. Evaluates the elements at these nodes again if (3) or
-/// (4) needs forces or matrices that the request does not contain.
+/// Passes forces and matrices on from carried nodes, which move with a rigid body, to their bodies, by (2) to
+/// (4) of bodies.hpp. If (3) or (4) needs forces or matrices that the request does not contain, the elements
+/// at these nodes are evaluated again.
 class CarriedNodes {
  public:
   /// `bodies` and `elements` have to outlive this object; `dofs` is the number of all degrees of freedom.

@@ -15,7 +15,8 @@ struct ElementTiles {
   std::vector<std::size_t> group_at;  // for each family: the index of its group
   std::size_t count = 0;              // tiles of all groups
   bool symmetric = true;              // matrices hold their lower triangle only
-  // Length of the array of matrix values, with unused blocks that collect entries of held nodes.
+  // Length of the array of matrix values, including the spare blocks to which entries of held nodes are
+  // added.
   std::size_t values = 0;
 
   const FamilyGroup& group_of(std::size_t family) const;

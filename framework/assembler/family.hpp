@@ -72,7 +72,7 @@ class ElementFamily {
   const std::vector<GlobalNode>& global_nodes() const { return global_nodes_; }
 
   const std::vector<netloft_term>& active_terms() const { return terms_; }
-  /// Terms that depend on motion only. A static analysis evaluates them only for matrices with derivatives
+  /// Terms that act only in motion. A static analysis evaluates them only for a matrix that has derivatives
   /// with respect to velocities or accelerations.
   const std::vector<netloft_term>& terms_of_motion() const { return terms_of_motion_; }
   /// One watch for each law that the elements call.

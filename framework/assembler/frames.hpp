@@ -16,8 +16,8 @@ class Frames {
   bool empty() const { return nodes_.empty(); }
   /// Computes the positions of the rotated nodes from their start and the displacements of the unknowns.
   void place(std::span<const double> start, std::span<const double> u, std::span<double> x) const;
-  /// Computes velocities or accelerations of the rotated nodes in the world frame from those along their
-  /// axes.
+  /// Computes velocities or accelerations of the rotated nodes in the world frame from their components along
+  /// the nodes' own axes.
   void turn_back(std::span<const double> own, std::span<double> world) const;
   /// Rotates a residual from the world frame to the nodes' own axes, in a vector over all dofs.
   void turn(double* residual) const;

@@ -121,9 +121,9 @@ void Gatherer::gather_current(const Tiling& tiling, std::size_t tile, double tim
 }
 
 /// Adds the waves to the gathered current at the nodes of a tile. The tangent leaves out how waves change in
-/// horizontal directions, because elements receive the derivative with z only (`current_dz`). Over a step of
-/// length h, the missing part is the slope of the drag times k a omega h (wave number, amplitude, angular
-/// frequency), which is small compared with inertia.
+/// horizontal directions, because elements receive the derivative with z only (`current_dz`). The part left
+/// out is the slope of the drag times k a ω h, with wave number k, amplitude a, angular frequency ω and step
+/// length h. It is small compared with inertia.
 void Gatherer::gather_waves(const Tiling& tiling, std::size_t tile, double time, TileInputs& w) const {
   for (std::size_t node = 0; node < static_cast<std::size_t>(tiling.family->nodes_per_element()); ++node)
     for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) {

@@ -41,8 +41,8 @@ class Gatherer {
   /// Gathers all inputs that some family of a group reads.
   void gather(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Kinematics& motion,
               TileInputs& inputs) const;
-  /// Makes the tile that one family of the group receives. The caller adds memory and message. Data of
-  /// extensions are filled in, but not yet attached to the tile.
+  /// Makes the tile that one family of the group receives. Extension data are filled in, but not yet attached
+  /// to the tile. The caller attaches them, and adds the elements' memory and a buffer for messages.
   netloft_tile make_tile(const ElementFamily& family, std::size_t tile, const Kinematics& motion,
                          TileInputs& inputs) const;
   bool ground_passes() const { return ground_passes_; }

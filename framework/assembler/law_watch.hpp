@@ -27,10 +27,9 @@ struct LawUse {
   std::vector<RangeUse> ranges;
 };
 
-/// Stands between elements and a law: receives the calls of the elements and passes them on to the law, so
-/// that a law that crashes or breaks a rule of the boundary is named itself. Between begin() and end(), a
-/// watch sums for each range of the law how much of the gear is inside and outside the range; during this
-/// time, only one thread may call it.
+/// Passes the calls of elements on to a law, so that an error message names the law if it crashes or breaks a
+/// rule of the plugin interface. Between begin() and end(), a watch also sums for each range of the law how
+/// much of the gear is inside and outside the range. During this time, only one thread may call it.
 class LawWatch {
  public:
   /// `parameters` must be valid and outlive this object.

@@ -8,8 +8,8 @@
 
 namespace netloft {
 
-/// Mean forces of all families (all elements of one type each) over steps in time: see mean_of_members.hpp
-/// and mean_of_energy.hpp. Also stores the rates at which members (twines, ropes) were stretched.
+/// Mean forces over a time step for all families (all elements of one type each), as mean_of_members.hpp and
+/// mean_of_energy.hpp define them. Also stores the rates at which members (twines, ropes) were stretched.
 class MeanForces {
  public:
   /// `are_used`: whether the integrator uses mean forces; if not, no memory is allocated.

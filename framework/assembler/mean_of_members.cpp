@@ -53,9 +53,9 @@ struct MeanOfMember {
   double way, way_slope;
 };
 
-/// If the rest length changes, (4) replaces (1) of mean_tension.hpp. The constant rest length of the middle
-/// would not do: if a step pays out more rope than the rope is stretched, the rope would count as slack at
-/// the beginning of the step.
+/// If the rest length changes, (4) of mean_of_members.hpp replaces (1) of mean_tension.hpp. The rest length
+/// in the middle of the step cannot stand for the whole step: if the step pays out more rope than the rope is
+/// stretched, the rope would count as slack at the beginning.
 MeanOfMember mean_of(const MemberOfStep& m, double before, double after) {
   if (!m.grows())
     return {mean_tension(m.middle, before, after), mean_stiffness(m.middle, before, after), after - before,

@@ -27,7 +27,8 @@ const ElementFamily& ElementReports::family_at(std::size_t family) const {
   return *elements_.tiles().families[family];
 }
 
-/// Adds the force of a term at its own nodes: bodies have not received the forces at their points yet.
+/// Adds the force of a term at the nodes of its elements. Forces on nodes that a body carries are not yet
+/// passed on to the body.
 bool ElementReports::add_term(std::span<const double> x, std::size_t family, std::size_t term,
                               std::span<double> residual, const Kinematics& motion) {
   const ElementTiles& tiles = elements_.tiles();
@@ -48,8 +49,8 @@ bool ElementReports::evaluate_term(std::span<const double> x, std::size_t family
   return done;
 }
 
-/// Takes time in proportion to the elements, however many families they belong to: after each term only the
-/// entries of its nodes are added and cleared.
+/// The time is proportional to the number of elements, however many families they belong to: after each term,
+/// only the entries of its nodes are added and cleared.
 std::vector<double> ElementReports::sum_terms(std::span<const double> x, bool (*counts)(std::uint32_t)) {
   const ElementTiles& tiles = elements_.tiles();
   std::vector<double> sum(x.size(), 0.0), alone(x.size(), 0.0);

@@ -33,8 +33,8 @@ void add_lower_blocks(const std::int32_t* map, std::size_t count, const double* 
     }
 }
 
-/// A block (P, Q) of two corners that are the same node is on the diagonal of the matrix, and represents
-/// block (Q, P), too (see Tiling::Twin). Adds this transposed block.
+/// If corners P and Q of an element are the same node (Tiling::Twin), blocks (P, Q) and (Q, P) both belong to
+/// the diagonal block of that node. Adds (Q, P), which is the transpose of the stored block (P, Q).
 void add_twins(const Tiling& tiling, std::size_t tile, const std::int32_t* map, const double* tangent,
                double* values) {
   for (const auto& twin : tiling.twins[tile]) {
@@ -93,8 +93,8 @@ NETLOFT_INLINE Entries packed_entries(const double* packed_tangent, int P, int Q
   return entries;
 }
 
-/// values[to + i] += entry i of an element's block, for the two elements from `lane` on. The entries of an
-/// element are first transposed to be adjacent in the registers.
+/// values[to + i] += entry i of an element's block, for the two elements from `lane` on. A register holds the
+/// same entry of two elements; registers are transposed first, so that each holds two entries of one element.
 template <class EntriesOfLanes>
 NETLOFT_INLINE void add_two_lanes(const std::int32_t* to, const EntriesOfLanes& entries, std::size_t lane,
                                   double* values) {

@@ -56,8 +56,9 @@ void map_vectors(const Numbering& numbering, Tiling& tiling) {
           numbering.dof(family.node(e, static_cast<int>(d / 3)), static_cast<int>(d % 3)).place;
 }
 
-/// Index of the block of corners (P, Q) of an element in the array of matrix values: `spare`, an unused
-/// block, if a node is held; ~index if the transpose of the block is added there.
+/// Returns the index in the array of matrix values at which block (P, Q) of two corners of an element is
+/// added. The result is ~index if the transpose is added instead, and `spare`, an unused block, if a node is
+/// held.
 std::int32_t find_block(const ElementFamily& family, const Scene& scene, const NodeBlocks& blocks,
                         bool symmetric, std::size_t e, int P, int Q, std::size_t spare) {
   const std::uint32_t row = family.node(e, P), column = family.node(e, Q);

@@ -19,7 +19,7 @@ struct Attitude {
   double heading = 0, heel = 0, trim = 0;
 };
 
-/// Returns the axes of a body with this rotation: the columns of R in (1).
+/// Returns the axes of a body with this rotation: the columns of the rotation matrix R in (1) above.
 inline std::array<Vec3<double>, 3> axes_of(const Attitude& a, double side) {
   const Vec3<double> heel{-side * a.heel, 0, 0}, trim{0, a.trim, 0}, heading{0, 0, -side * a.heading};
   std::array<Vec3<double>, 3> axes{Vec3<double>{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

@@ -28,7 +28,8 @@ struct Pose {
   }
 };
 
-/// A body in motion, in the axes of the world. Inputs that the traits of the term do not request are zero.
+/// A body in motion, in the axes of the world. Inputs that the term does not request by a trait (`Trait` in
+/// element.hpp) are zero.
 template <class T>
 struct Body : Pose<T> {
   Vec3<T> v, omega;  // velocity of the origin [m/s], spin [rad/s]
@@ -64,8 +65,8 @@ struct Wrench {
   }
 };
 
-/// The nodes of an element in motion, as argument of a term's `force`, which is differentiated. Inputs that
-/// the traits of the term do not request are zero.
+/// The nodes of an element in motion: the argument of a term's `force`, which is differentiated
+/// automatically. Inputs that the term does not request by a trait (`Trait` in element.hpp) are zero.
 template <class T, int Nodes>
 struct MovingNodes {
   Points<T, Nodes> x, v, a, current;

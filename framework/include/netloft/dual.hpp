@@ -5,9 +5,9 @@
 
 namespace netloft {
 
-/// A number with its gradient and, if Order is 2, its Hessian with respect to N variables (forward mode). It
-/// is slow but simple: it derives force and tangent of an element from its energy alone, and serves as the
-/// reference implementation in tests of faster kernels.
+/// A number with its gradient and, if Order is 2, its Hessian with respect to N variables (automatic
+/// differentiation, forward mode). Dual numbers are slow, but they give the force and the tangent of an
+/// element from its energy alone. Tests compare faster kernels with them.
 template <int N, int Order = 2>
 struct Dual {
   double value = 0;
@@ -61,8 +61,8 @@ struct Dual {
   friend bool operator<=(const Dual& a, const Dual& b) { return a.value <= b.value; }
   friend bool operator>=(const Dual& a, const Dual& b) { return a.value >= b.value; }
 
-  /// At zero the root has no derivative. The derivative is set to zero, so that ‖w‖ w has the correct
-  /// derivative at w = 0.
+  /// At zero the root has no derivative. The derivative is set to zero, so that the derivative of ‖w‖ w is
+  /// correct for a vector w = 0.
   friend Dual sqrt(const Dual& a) {
     const double s = std::sqrt(a.value);
     return s == 0 ? Dual(0) : a.chain(s, 0.5 / s, -0.25 / (s * a.value));
@@ -90,7 +90,8 @@ struct Dual {
   }
   friend Dual atan2(const Dual& y, const Dual& x) {
     const double square = x.value * x.value + y.value * y.value;
-    // `turn` is proportional to the sine of the change of angle.
+    // The vector (x, y) in axes turned by the angle of its value is proportional to (ahead, turn). In these
+    // axes the value of its angle is zero, and the derivatives are those of the result.
     const Dual turn = (x.value * y - y.value * x) / square;
     const Dual ahead = (x.value * x + y.value * y) / square;
     return std::atan2(y.value, x.value) + atan(turn / ahead);

@@ -160,8 +160,8 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     offers_.template one<netloft_rider>(NETLOFT_EXT_PAIRS).rides_on = element;
   }
   /// Declares a number that all elements of a part share. It is an unknown if the parameter `needs` is not
-  /// zero or if `needs` is nullptr; otherwise it keeps its initial value, `start`. These numbers are x, y, z
-  /// of the last node of State::x.
+  /// zero or if `needs` is nullptr; otherwise it keeps its initial value, `start`. The first number is x, the
+  /// second y and the third z of the last node of State::x.
   void global(const char* name, const char* unit, const char* doc, const char* needs, Start start) {
     netloft_global g{};
     g.size = sizeof g;
@@ -228,7 +228,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     members.count = detail::count_members<E>();
     members.write = &detail::write_members<E>;
   }
-  /// Requests the data of extensions that a term with these traits reads.
+  /// Requests the extension data (ground, waves, memory) that a term with these traits reads.
   void list_inputs(std::uint32_t traits) {
     if (traits & (NETLOFT_READS_GROUND | NETLOFT_READS_BED))
       list_input(detail::kGroundPlace, NETLOFT_EXT_GROUND);

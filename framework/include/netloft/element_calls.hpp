@@ -134,8 +134,8 @@ inline Bed bed_below(const netloft_tile& t, std::size_t node, std::size_t lane) 
           at(5)};
 }
 
-/// The bed below the nodes. Nodes after the first `of_stencil` (rotation, shared unknowns) are no places and
-/// have no bed.
+/// The bed below the nodes. Only the first `of_stencil` nodes are places and have a bed; the nodes after them
+/// hold the rotation of a body or unknowns that elements share.
 template <std::size_t Nodes>
 std::array<Bed, Nodes> beds_below(const netloft_tile& t, std::size_t of_stencil, std::size_t lane) {
   std::array<Bed, Nodes> beds{};
@@ -199,9 +199,9 @@ void scatter(const Local<Nodes>& local, bool symmetric, std::size_t lane, netlof
       t.tangent[kLanes * entry++ + lane] += local.tangent[r][c];
 }
 
-/// Reads the degrees of freedom of one element from a field [dof][64] as dual numbers. The derivative of each
-/// with respect to the unknown of the same index is `factor`, also if `field` is nullptr and all values are
-/// zero.
+/// Reads the degrees of freedom of one element from a field [dof][64] as dual numbers. The derivative of
+/// number i with respect to unknown i is `factor`. If `field` is nullptr, the values are zero, and the
+/// derivatives are the same.
 template <class T, int Nodes>
 Points<T, Nodes> read_dual(const double* field, std::size_t lane, double factor) {
   Points<T, Nodes> to{};
@@ -236,8 +236,8 @@ Pose<T> pose_of(const Vec3<T>& x, const Vec3<T>& psi) {
   return {x, turned_axes(psi)};
 }
 
-/// Reads the motion of one element as dual numbers. Their derivatives are those of the tangent: cu for
-/// positions, cv for velocities, ca for accelerations.
+/// Reads the motion of one element as dual numbers. Their derivatives with respect to the unknowns are the
+/// factors of the tangent: cu for positions, cv for velocities, ca for accelerations.
 template <class E, class T, std::uint32_t Traits>
 MotionOf<E, T> read_motion(const netloft_tile& t, std::size_t lane) {
   constexpr int N = nodes_of<E>;
@@ -267,8 +267,8 @@ MotionOf<E, T> read_motion(const netloft_tile& t, std::size_t lane) {
   return m;
 }
 
-/// Converts the result of `force` to a residual: minus the force and, on a body, minus the generalised force
-/// that does the work of the moment on the rotation vector.
+/// Converts the result of `force` to a residual, which is minus the force. On a body, it is also minus the
+/// generalised force whose work on the rotation vector is that of the moment.
 template <class E, class T>
 Points<T, nodes_of<E>> residual_of(const PushOf<E, T>& push, const netloft_tile& t, std::size_t lane) {
   Points<T, nodes_of<E>> residual{};

@@ -3,9 +3,9 @@
 
 namespace netloft {
 
-/// The smallest imbalance (as a fraction of the load), stiffness (as a fraction of the linear stiffness) and
-/// strain that matter. Drag, stiffness and lengths of netting are known to 1 % at best; a difference of a
-/// tenth of that, 1e-3, does not change a gear.
+/// The smallest ratio that matters: of an unbalanced force to the load, of a stiffness to the linear
+/// stiffness, of a change of length to the length. Drag, stiffness and lengths of netting are known to 1 % at
+/// best; a tenth of that, 1e-3, makes no difference to a gear.
 inline constexpr double kMatters = 1e-3;
 
 }  // namespace netloft

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Data of extensions for terms that are written as `tile`. Each function returns nullptr if the scene has no
-// such data or if no term of the element has the trait. Included by element.hpp.
+// Extension data for terms that are written as `tile` (see element.hpp). Each function below returns nullptr
+// if the scene has no such data, or if no term of the element has the trait named there. Included by
+// element.hpp.
 #pragma once
 #include <netloft/ext/ground.h>
 #include <netloft/ext/memory.h>
@@ -23,12 +24,13 @@ const Input* input(const netloft_tile& t, InputPlace place) {
 
 }  // namespace detail
 
-/// Velocity at which the ground passes, [3] [m/s]. Trait: reads_ground.
+/// Velocity at which the ground passes a towed gear, 3 components [m/s]. Trait: reads_ground.
 inline const double* ground_of(const netloft_tile& t) {
   const auto* ground = detail::input<netloft_ground>(t, detail::kGroundPlace);
   return ground ? ground->velocity : nullptr;
 }
-/// The bed below the nodes, [6 nodes][64], as in netloft_ground. Trait: reads_bed.
+/// The bed below each node: height, two slopes and three second derivatives, [6 nodes][64], as in
+/// netloft_ground. Trait: reads_bed.
 inline const double* bed_of(const netloft_tile& t) {
   const auto* ground = detail::input<netloft_ground>(t, detail::kGroundPlace);
   return ground ? ground->bed : nullptr;
@@ -48,8 +50,8 @@ inline const double* state_of(const netloft_tile& t) {
   const auto* memory = detail::input<netloft_remembered>(t, detail::kMemoryPlace);
   return memory ? memory->state : nullptr;
 }
-/// The array [width][64] to which a term writes the next memory, which replaces that of state_of() if the
-/// step is accepted. Trait: reads_state.
+/// The array [width][64] to which a term writes what its elements shall remember. The host keeps these
+/// numbers only if the step is accepted; state_of() then returns them. Trait: reads_state.
 inline double* new_state_of(const netloft_tile& t) {
   const auto* memory = detail::input<netloft_remembered>(t, detail::kMemoryPlace);
   return memory ? memory->state_new : nullptr;

@@ -38,7 +38,8 @@ class Motion {
   std::span<double> next_v() { return {m_.v_new, size()}; }
   std::span<double> next_a() { return {m_.a_new, size()}; }
   std::span<double> error() { return {m_.error, size()}; }
-  /// Working memory of a step, with a number for each unknown; every `index` has memory of its own.
+  /// An array with a number for each unknown, which keeps its values from step to step. Every `index` has an
+  /// array of its own.
   std::span<double> scratch(std::uint32_t index) { return {m_.scratch(m_.host, index), size()}; }
 
   /// Computes the residual r = F(t, u, v, a) [N].
@@ -55,9 +56,9 @@ class Motion {
              std::span<double> u) {
     return checked(m_.solve(m_.host, t, v0.data(), cv, a0.data(), ca, u.data()));
   }
-  /// Finds the u at the end of the step for which the mean forces of the step are in balance, with rates v0 +
-  /// cv u and a0 + ca u in the middle of the step; netloft_motion describes the mean forces and the damping
-  /// of members.
+  /// Finds the displacements u at the end of the step for which the mean forces over the step balance. The
+  /// rates in the middle of the step are v = v0 + cv u and a = a0 + ca u. The comment on netloft_motion
+  /// (ext/integrator.h) defines the mean forces, `damping` and `memory`.
   Step solve_between(std::span<const double> v0, double cv, std::span<const double> a0, double ca,
                      double damping, double memory, std::span<double> u) {
     return checked(m_.solve_between(m_.host, v0.data(), cv, a0.data(), ca, damping, memory, u.data()));

@@ -9,8 +9,8 @@
 //   m = (w₁ + w₂)/(w₁/δ₁ + w₂/δ₂),  w₁ = 2h₂ + h₁, w₂ = h₂ + 2h₁   where δ₁δ₂ > 0, else 0            (1)
 // so that the curve is monotone wherever the samples are, and never above or below them (F. N. Fritsch and J.
 // Butland, SIAM Journal on Scientific and Statistical Computing 5, 1984). A surface over two arguments has
-// these slopes along both arguments and no twist at the samples. With Hermite's cubics H and the fractions s,
-// t of the intervals below the arguments,
+// these slopes along both arguments, and its mixed derivative is zero at the samples f_ij. With Hermite's
+// cubic polynomials H and the fractions s, t of the intervals that lie below the arguments,
 //   f = Σ_ij H_i(s) H_j(t) f_ij + …                        bicubic Hermite form, ∂²f/∂x∂y = 0 at samples (2)
 // The first derivatives of a surface are continuous as well, and along a grid line the surface is the curve
 // through the samples of that line.

@@ -123,7 +123,7 @@ class LawTable : public ParameterTable<typename L::Parameters> {
   LawTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
 
   /// States that the law was measured for lo ≤ quantity ≤ hi. The law must return forces outside this range,
-  /// too; reports then say for which fraction of the gear the law was used there.
+  /// too; reports then say for which fraction of the gear the quantity was outside.
   void valid(Quantity quantity, double lo, double hi, const char* source, Condition condition = {}) {
     netloft_validity v{};
     v.size = sizeof v;

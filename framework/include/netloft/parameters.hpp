@@ -15,7 +15,7 @@
 
 namespace netloft {
 
-/// The meaning of a real parameter for strategies that make a scene easier.
+/// How a real parameter acts. Strategies use it to find the parameters that make a scene easier to solve.
 enum class Role : std::uint32_t {
   plain = 0,
   stiffness = NETLOFT_STIFFNESS,      // elastic forces are proportional to the parameter
@@ -158,8 +158,8 @@ class OwnParameters {
     declared_ = std::move(declared);
     is_known_ = true;
   }
-  /// Returns the parameters. Parameters that no table describes are unchanged: the author's own code has
-  /// filled them, not the host.
+  /// Returns the parameters. If no table describes the struct, it is returned unchanged, because the author's
+  /// own code has filled it, not the host.
   static Parameters from(const void* host) {
     if (!is_known_) return *static_cast<const Parameters*>(host);
     Parameters own{};

@@ -3,9 +3,8 @@
  * The boundary between Netloft and a plugin: plain data and C functions, nothing else.
  *
  * A plugin is a shared object that exports one symbol, netloft_plugin_v1, which returns a description of what
- * is inside. No C++ type, exception or allocation crosses the boundary, no call leaves another rounding
- * behind or ends the program, and a plugin links to no library of Netloft. Most authors use
- * netloft/element.hpp etc.
+ * is inside. No C++ type, exception or allocation crosses the boundary. No call may change the rounding mode
+ * or end the program, and a plugin links to no library of Netloft. Most authors use netloft/element.hpp etc.
  *
  * This header is the core, which is sufficient for an element such as a rope or a float. Everything else is
  * an extension with its own header in netloft/ext/ and an identifier such as "netloft.waves/1". Hosts and
@@ -14,9 +13,9 @@
  *
  * Versions. A host accepts plugins of its own major version whose minor version is not newer; both change
  * only with this header. Every struct begins with its size. Fields are only ever appended, here and in
- * extensions: a host treats fields that a shorter struct lacks as zero, and a plugin looks at the size before
- * it reads a field of an extension that was appended. Any other change of an extension changes the number in
- * its identifier. The stride of an array of structs is the size of its first entry.
+ * extensions. A host treats fields that a shorter struct lacks as zero; a plugin looks at the size of an
+ * extension's struct before it reads an appended field. Any other change of an extension changes the number
+ * in its identifier. The stride of an array of structs is the size of its first entry.
  *
  * Units are SI. In the world frame, z points up and is zero at the water surface.
  *
@@ -77,7 +76,7 @@ typedef struct netloft_parameter {
   uint32_t flags;                  /* NETLOFT_REQUIRED, NETLOFT_STIFFNESS and the other roles above */
   uint32_t offset;                 /* position of the value in the parameter struct [bytes] */
   const char* fallback_of;         /* name of an earlier real, or null */
-  const char* const* choices;      /* null-terminated: one word of a CHOICE; a TEXT may join several by + */
+  const char* const* choices;      /* words, null-terminated: a CHOICE is one, a TEXT several joined by + */
   const char* fallback_text;       /* default of a NETLOFT_TEXT */
   const char* const* columns;      /* names of a table's columns, null-terminated */
   const char* const* column_units; /* units of the columns, in the same number */
@@ -137,8 +136,8 @@ typedef struct netloft_tile {
   double water_viscosity;   /* kinematic [m2/s] */
   double gravity;           /* [m/s2] */
   const double* x;          /* positions [m] */
-  const double* x_low;      /* digits that rounding removes from x: positions are x + x_low, for exact
-                               differences [m]; usually null: not known. A term may ignore it */
+  const double* x_low;      /* digits of the positions that x rounds off: x + x_low gives exact differences
+                               [m]; usually null: not known. A term may ignore it */
   const double *v, *a;      /* velocities, accelerations; null at rest */
   const double* current;    /* velocity of the water at the nodes [m/s] */
   const double* current_dz; /* derivative of `current` with respect to z [1/s] */

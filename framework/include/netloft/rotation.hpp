@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rotations given by a vector ψ, and their rates, for doubles and dual numbers.
+// Rotations given by a vector ψ, their spin ω and angular acceleration α, for doubles and dual numbers.
 //   R r = r + a ψ×r + b ψ×(ψ×r),   φ = ‖ψ‖,  a = sin φ/φ,  b = (1 − cos φ)/φ²       rotation by ψ      (1)
 //   ω = T ψ̇ = ψ̇ + b ψ×ψ̇ + c ψ×(ψ×ψ̇),   c = (φ − sin φ)/φ³                         spin, dR/dt = ω× R (2)
 //   α = dω/dt = T ψ̈ + ḃ ψ×ψ̇ + ċ ψ×(ψ×ψ̇) + c ψ̇×(ψ×ψ̇)                                                  (3)
-//   Tᵀm = m − b ψ×m + c ψ×(ψ×m)                       the work of Tᵀm on ψ̇ is m·ω                        (4)
+//   Tᵀm = m − b ψ×m + c ψ×(ψ×m)                    generalised force of a moment m: its power is m·ω (4)
 // a, b and c are smooth functions of s = φ². ψ and ψ(1 − 2π/φ) are the same rotation; T is singular where φ
 // is a full turn. Source: J. Argyris, An excursion into large rotations, Computer Methods in Applied
 // Mechanics and Engineering 32 (1982), 85-155.

@@ -9,7 +9,7 @@ namespace netloft {
 
 /// Returns the i-th number of a sequence in [−1, 1) that is the same on every machine: 2 frac((i + 1) φ +
 /// shift) − 1. φ is the golden ratio, whose multiples are distributed most evenly (H. Weyl, Math. Ann. 77,
-/// 1916). As a vector, the sequence has a component in every direction that occurs in practice.
+/// 1916). A vector of these numbers is orthogonal to no displacement that occurs in practice.
 inline double scattered(std::size_t i, double shift = 0) {
   constexpr double kGolden = 0.61803398874989485;
   const double multiple = kGolden * static_cast<double>(i + 1) + shift;

@@ -47,7 +47,8 @@ class Problem {
   bool symmetric() const { return p_.traits & NETLOFT_SYMMETRIC; }
   std::span<double> u() { return {p_.u, size()}; }
 
-  /// Computes residual [N] and energy [J] (zero if there is none) at u, and stores the matrix `keep`.
+  /// Computes residual [N] and energy [J] (zero if there is none) at u. `keep` selects a matrix that is
+  /// stored as well.
   Evaluation evaluate(std::span<const double> u, double& energy, std::span<double> residual,
                       Matrix keep = Matrix::none) {
     const std::uint32_t matrix = keep == Matrix::exact    ? std::uint32_t{NETLOFT_WANT_TANGENT}
@@ -71,7 +72,7 @@ class Problem {
                            std::span<double> gradient) {
     return checked(p_.evaluate_both(p_.host, u.data(), &energy, residual.data(), gradient.data()));
   }
-  /// Computes and stores the matrix `keep` only.
+  /// Computes and stores the matrix that `keep` selects, and nothing else.
   Evaluation evaluate(std::span<const double> u, Matrix keep) {
     const std::uint32_t want =
         keep == Matrix::exact ? std::uint32_t{NETLOFT_WANT_TANGENT} : std::uint32_t{NETLOFT_WANT_CONVEX};

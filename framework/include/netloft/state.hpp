@@ -90,7 +90,7 @@ class Family {
   const Parameters& parameters(std::size_t element) const { return parameters_[part_[element]]; }
   const Data& data(std::size_t element) const { return data_[element]; }
   const auto& whole(std::size_t element) const { return wholes_[part_[element]]; }
-  /// The result of E::pack for 64 elements, for terms written as `tile`.
+  /// Data of the tile's elements as E::pack arranged them, for terms written as `tile`.
   const auto& lanes(const netloft_tile& tile) const { return lanes_[tile.first / NETLOFT_LANES]; }
   std::size_t size() const { return data_.size(); }
 

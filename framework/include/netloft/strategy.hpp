@@ -64,8 +64,8 @@ struct Ask {
   const char* parameters = nullptr;  // such as "method=classic,damping=1"
   double tolerance = 0;              // 0: the tolerance of the analysis
   double work = 0;                   // budget; 0: all that is left
-  double path = 0;          // limit of the sum of the steps' largest nodal displacements / gear size; 0: none
-  unsigned iterations = 0;  // limit of iterations; 0: the limit of the analysis
+  double path = 0;  // limit of the sum of the steps' largest nodal displacements, per gear size; 0: none
+  unsigned iterations = 0;   // limit of iterations; 0: the limit of the analysis
   bool compensated = false;  // whether positions keep the digits that double precision rounds off
 };
 
@@ -152,11 +152,10 @@ class Search {
   Stage solve(const Ask& ask, Displacements u) {
     return ended(ask, std::move(u), [&](netloft_stage& stage) { return s_.solve(s_.host, &stage); });
   }
-  /// Lets another strategy bring a variant to equilibrium from `u`, with a budget of its own (Ask::work). The
-  /// returned stage is the answer of that strategy; if there are several, the one that the host chose. If the
-  /// strategy has no answer, the returned stage is the point of the variant that came closest to balance, or
-  /// the initial guess, with the ending of the last stage of that variant: out_of_work if that stage was cut
-  /// off or if no work is left.
+  /// Lets another strategy bring a variant to equilibrium from `u`, with a budget of its own (Ask::work).
+  /// Returns the answer of that strategy, or the one that the host chose among several. Without an answer, it
+  /// returns the point of the variant that came closest to balance, or the initial guess. The ending is then
+  /// that of the last stage of the variant, and out_of_work if that stage was cut off or no work is left.
   Stage call(const char* strategy, const char* parameters, const Ask& ask, Displacements u) {
     return ended(ask, std::move(u),
                  [&](netloft_stage& stage) { return s_.call(s_.host, strategy, parameters, &stage); });
@@ -184,7 +183,8 @@ class Search {
     method(p);
     return u;
   }
-  /// Calls method(netloft_members&, u), which changes u, on the members of a variant; returns its final u.
+  /// Calls method(netloft_members&, u) on the members of a variant (lines that bear tension, ext/members.h).
+  /// The method changes u; the changed u is returned.
   template <class Method>
   Displacements with_members(const Ask& ask, Displacements u, Method&& method) {
     u.resize(size(ask.variant.level));

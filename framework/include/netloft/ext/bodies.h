@@ -5,8 +5,8 @@
  * A rigid body has two nodes in a tile: its origin x and, in rows 3 to 5, its rotation vector p [rad]. A
  * point r, in the axes of the body, is at x + R r in the world, where R is the rotation by the angle |p|
  * about p. Rows 3 to 5 of tile.v and tile.a are the first and second derivatives of p with respect to time.
- * Rows 3 to 5 of tile.force are minus the generalised force that does the work of the moment on p [N m], and
- * the tangent is their plain derivative. netloft/rotation.hpp has the formulas; with netloft/element.hpp,
+ * Rows 3 to 5 of tile.force are minus the generalised force whose work on p is that of the moment [N m]; the
+ * tangent has its partial derivatives. netloft/rotation.hpp has the formulas; with netloft/element.hpp,
  * authors need none of them. p may be longer than a full turn. Rows 3 to 5 of tile.current have no meaning.
  */
 #ifndef NETLOFT_EXT_BODIES_H

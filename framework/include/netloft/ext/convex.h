@@ -2,7 +2,7 @@
  *
  * Two matrices that approximate the exact tangent: a convex part and a metric. A term can often compute them
  * faster and more accurately than the host, which derives them from the tangent by a projection and a bound.
- * The host requests them only from terms with the trait, one matrix per call.
+ * The host requests a matrix only from terms with its trait, one matrix per call.
  */
 #ifndef NETLOFT_EXT_CONVEX_H
 #define NETLOFT_EXT_CONVEX_H

@@ -47,8 +47,8 @@ typedef struct netloft_motion {
    * has none. In addition, members (ext/members.h) of stiffness k resist the change Dl of their length in the
    * step by the tension
    *    T = damping/2 k (Dl - h m),  m <- m + memory (Dl/h - m) once the step is accepted
-   * where m is the rate of stretch that the host remembers for each member [m/s], zero after a step at whose
-   * ends the member was not taut. Returns the same as `solve`. */
+   * where m is the rate of stretch that the host remembers for each member [m/s]. It is zero after a step at
+   * one end of which the member was slack. Returns the same as `solve`. */
   int (*solve_between)(void* host, const double* v0, double cv, const double* a0, double ca, double damping,
                        double memory, double* u);
 } netloft_motion;

@@ -65,7 +65,7 @@ typedef struct netloft_stage {
   const char* name;       /* purpose of the stage in a few words, for the report */
   const char* solver;     /* "ptc"; null: the solver of the analysis, with its parameters */
   const char* parameters; /* "method=classic,damping=1"; null: no others */
-  double tolerance;       /* largest residual over the largest load; 0: as in the analysis */
+  double tolerance;       /* limit of the largest residual over the largest load; 0: as in the analysis */
   double work;            /* budget; 0: all that is left of the search */
   double path;            /* limit of the sum of largest nodal displacements / gear size; 0: none */
   uint32_t iterations;    /* limit of iterations; 0: as in the analysis */
@@ -106,10 +106,10 @@ typedef struct netloft_members {
   int (*evaluate)(void* host, const double* u, double* residual);
   /* Adds n c f to the residual for every member, with n = netloft_member.number, forces f[count][3] [N]. */
   int (*add_forces)(void* host, const double* f, double* residual);
-  /* Sets the matrix: the tangent of the last evaluation + sum over members of n (c c^T) K, with n =
-   * netloft_member.number and K[count][9] symmetric [N/m]. */
+  /* Sets the matrix: the tangent of the last evaluation + sum over members of n (c c^T) x K, a Kronecker
+   * product with n = netloft_member.number, its coefficients c and K[count][9], symmetric [N/m]. */
   int (*set_matrix)(void* host, const double* K);
-  /* Sets the matrix for K = a t t^T + b I, and adds n c f t to the residual for every member, with
+  /* Sets the matrix as above for K = a t t^T + b I, and adds n c f t to the residual for every member, with
    * lines[count][6] = (t, f, a, b): unit vector, tension [N], a and b [N/m]. */
   int (*set_matrix_along)(void* host, const double* lines, double* residual);
   /* Factorises the matrix. With how = NETLOFT_INDEFINITE, any matrix that is not singular is accepted.
