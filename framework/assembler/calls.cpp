@@ -35,9 +35,9 @@ void add_convex_parts(std::size_t n, bool symmetric, std::size_t count, TileSums
   }
 }
 
-/// Adds a matrix of a term that is not its exact tangent: the convex part or the metric (ext/convex.h), or the
-/// symmetric part of an unsymmetric tangent for a symmetric matrix. A term that offers the convex part or the
-/// metric evaluates it itself; otherwise the matrix is derived from the exact tangent of the term.
+/// Adds a matrix of a term that is not its exact tangent: the convex part or the metric (ext/convex.h), or
+/// the symmetric part of an unsymmetric tangent for a symmetric matrix. A term that offers the convex part or
+/// the metric evaluates it itself; otherwise the matrix is derived from the exact tangent of the term.
 int call_matrix_term(const ElementFamily& f, const netloft_term& term, netloft_tile& t, MatrixKind kind,
                      TileSums& sums) {
   const bool symmetric = term.traits & NETLOFT_SYMMETRIC;

@@ -9,8 +9,8 @@
 
 namespace netloft {
 
-/// A step in time as a static problem in u: the residual F vanishes. The rates are linear in u, and v₀, a₀,
-/// cv, ca are given by the time scheme:
+/// A step in time as a problem in the displacements u, in which the residual F vanishes. The time scheme
+/// gives v₀, a₀, cv and ca, so that velocity and acceleration are linear in u:
 ///   F(t, u, v₀ + cv u, a₀ + ca u) = 0                                            (1)
 struct StepProblem {
   double t;
@@ -20,8 +20,8 @@ struct StepProblem {
   MovingState* state;            // receives positions and rates
   double least_load;             // lower bound of the load to which tolerances are relative [N]
   /// The two ends of the step, for schemes in which F is the mean force over the step
-  /// (netloft_motion::solve_between) and u its midpoint; `after` is updated with u. If nullptr, F is the
-  /// force at u.
+  /// (netloft_motion::solve_between) and u belongs to its midpoint. Placing the nodes at u updates the end
+  /// `after`. If nullptr, F is the force at u.
   struct Ends {
     StepEnds ends;
     double begin = 0, end = 0;                 // [s]

@@ -18,7 +18,7 @@ struct Imbalance {
 /// Default tolerance ε of (1).
 inline constexpr double kTolerance = 1e-10;
 
-/// Decides whether forces balance to a tolerance ε of the load, by (1) to (4):
+/// Decides whether forces balance to a tolerance ε of the load, with r, F and b of Imbalance:
 ///   within tolerance:  r ≤ ε F                                                            (1)
 ///   at round-off:      r ≤ min(b, β F)                                                    (2)
 /// At rest, both require
@@ -31,15 +31,16 @@ inline constexpr double kTolerance = 1e-10;
 /// No gear with an infinite load has converged.
 Convergence convergence_of(const Imbalance& i, double tolerance);
 
-/// Whether an iteration may stop. At round-off, a residual that still falls by half from one point to the
-/// next is more than rounding error: the rounding of stiff parts hides the imbalance of soft parts, so that
-/// the iteration should continue.
+/// Whether an iteration may stop. At round-off, it continues as long as the residual falls at least by half
+/// from one point to the next. Rounding error does not fall like this: the residual is then an imbalance of
+/// soft parts, which the rounding errors of stiff parts hide.
 bool may_stop(Convergence c, double residual, double residual_before);
 
-/// A residual can remain that no step reduces, because twines alternate between slack and taut. Such a point
-/// counts as converged to round-off if the solver has given up, the tangent of an energy is positive
-/// definite, a full Newton step raises the residual (`no_step_helps` in assessment.cpp checks these three),
-/// and (3), r ≤ β F and (5) hold. g is the energy that a Newton step would gain, L the size of the gear:
+/// Whether to accept a residual that no step reduces, because twines alternate between slack and taut. The
+/// point counts as converged to round-off if this function returns true, the solver has given up, the tangent
+/// of an energy is positive definite, and a full Newton step raises the residual (`no_step_helps` in
+/// assessment.cpp checks the last two). The function requires (3), r ≤ β F and (5), where g is the energy
+/// that a Newton step would gain and L the size of the gear:
 ///   g ≤ ε₀ F L,   ε₀ = kTolerance                                                         (5)
 /// With g ≈ ½ r δ, the error of the positions is δ ≈ 2e-7 L at r = β F. A smaller r allows a larger error, up
 /// to √(2 ε₀) L at a stiffness of F/L.

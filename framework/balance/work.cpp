@@ -9,7 +9,7 @@ namespace netloft {
 
 namespace {
 
-// a, b, c, d of (3) and (4), measured by tests/bench/work_model.cpp.
+// a, b, c, d of (3) and (4) in work.hpp, measured by tests/bench/work_model.cpp.
 constexpr double kPerEntry = 20, kPerEntryOfCholesky = 250, kPerResidual = 4, kPerMatrix = 12;
 
 struct FactorSize {
@@ -30,7 +30,7 @@ FactorSize analyse_factor(const SparsePattern& pattern, const MakeFactorisation&
   return size.flops > 0 ? size : estimate_factor(pattern);
 }
 
-/// The measure S of the elements, Σ elements × terms × (degrees of freedom)², in (4).
+/// The measure S of the elements in (4) of work.hpp, Σ elements × terms × (degrees of freedom)².
 double size_of_elements(const Assembler& assembler) {
   double sum = 0;
   for (const auto& family : assembler.families()) {

@@ -8,12 +8,12 @@
 
 namespace netloft {
 
-/// A shift σ of (4) in growth.hpp must find rates s with |s| between σ/kOff and kOff σ. Other values of σ
-/// find other rates.
+/// With one shift σ, the operator (4) in growth.hpp has to find all rates s with σ/kOff ≤ |s| ≤ kOff σ. Other
+/// shifts find the rates outside this range.
 inline constexpr double kOff = 10;
 
-/// The operator A of (4) in growth.hpp, one step of the trapezoidal rule, on vectors (y, v) of displacements
-/// and velocities. Their norm is that of an energy,
+/// The operator A of (4) in growth.hpp, one step of the trapezoidal rule for M ÿ + C ẏ + K y = 0, on vectors
+/// (y, v) of displacements and velocities. Their norm is that of an energy,
 ///   ‖(y, v)‖² = yᵀ(K₊ + σ²M) y + vᵀM v,   K₊ the convex part of K                          (8)
 /// In this norm A enlarges no vector if K = K₊ and C damps. In other norms, a transient looks like growth.
 class Cayley {

@@ -16,8 +16,8 @@ namespace {
 // Least shift σ of (4), and the factor by which another σ is tried if K + σC + σ²M is singular. Growth slower
 // than 1e-4/s, which is tenfold in six hours, is not found.
 constexpr double kLeastSigma = 1e-3, kOtherSigma = 1.3;
-// Number of steps of the Arnoldi iteration, doubled once if they do not decide. If powers of A decide, growth
-// is measured over the same number of powers, and this number also limits the number of measurements.
+// Number of steps of the Arnoldi iteration, doubled once if they do not decide. If powers of A decide
+// instead, growth is measured over this number of powers, at most this number of times.
 constexpr int kSteps = 24;
 // Ritz values further beyond the unit circle than this are examined. For a growth that is just more than
 // marginal, |μ| − 1 is twice this number if σ differs from |s| by the factor kOff, and ten times this number
@@ -133,8 +133,8 @@ Growth growth_by(Cayley& A, Arnoldi& arnoldi) {
 
 double sigma_at(int step) { return kLeastSigma * std::pow(kOff * kOff, step); }
 
-/// Index of the greatest σ, the first that exceeds the fastest possible rate. σ grows from the least by a
-/// constant factor.
+/// Index of the largest shift σ, the first that is not below the fastest possible rate. Successive shifts
+/// differ by a constant factor.
 int steps_of_sigma(double fastest) {
   int steps = 0;
   while (sigma_at(steps) < fastest && std::isfinite(sigma_at(steps))) ++steps;

@@ -4,11 +4,11 @@
 
 namespace netloft {
 
-/// Growth factors per step up to this value do not differ reliably from one, see (6) below.
+/// A growth factor per step up to this value cannot be distinguished from one; see (6) below.
 inline constexpr double kMarginalGrowth = 1.01;
-/// Least ratio of frequency to rate of an oscillation. With a smaller ratio, a motion grows by at least
-/// exp(10 π) in half a period, from the rounding error of a double to the size of the gear, so that it never
-/// completes a period.
+/// A growing motion oscillates if its angular frequency exceeds this multiple of its growth rate. Otherwise
+/// it grows by at least exp(10 π) in half a period, from the rounding error of a double to the size of the
+/// gear, so that it never completes a period.
 inline constexpr double kOscillates = 0.1;
 
 enum class GrowthVerdict { none, marginal, grows, unknown };

@@ -14,8 +14,9 @@ namespace {
 
 // Time constant τ of (2) in growth.hpp, for unknowns with neither mass nor damping [s]
 constexpr double kTimeToFollow = 1e-3;
-// Multiple of the linear stiffness that is added to K₊ in the norm (8), for directions without any other
-// stiffness: the geometric mean of the rounding error of a matrix and of the least stiffness that matters.
+// Multiple of the linear stiffness that is added to K₊ in the norm (8) of cayley.hpp, for directions without
+// any other stiffness. It is the geometric mean of the rounding error of a matrix and the least stiffness
+// that matters.
 const double kMetricFraction = std::sqrt(kRoundingOfMatrix * kMatters);
 
 bool is_symmetric(const SparsePattern& p, std::span<const double> A) {

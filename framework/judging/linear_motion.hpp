@@ -37,14 +37,14 @@ inline constexpr double kRoundingOfMatrix = 1e-9;
 
 /// Whether (9) holds, so that the energy (8) of cayley.hpp falls and no disturbance grows:
 ///   M and K symmetric, K and M positive definite, C + Cᵀ positive semidefinite             (9)
-/// Cholesky factorisations decide; `cost` counts them. A positive definite K + Kᵀ is not enough: s² = −1 ± ib
-/// of K = [1 −b; b 1] grows for any b.
+/// Cholesky factorisations decide; `cost` counts them. It is not enough that K + Kᵀ is positive definite: for
+/// M = 1 and K = [1 −b; b 1], s² = −1 ± ib, so that a motion grows for any b ≠ 0.
 bool is_stable_by_energy(const SparsePattern& pattern, const LinearMotion& motion,
                          const MakeFactorisation& make, Statistics& cost);
 
-/// The largest |s| of a motion that grows with c = Re s/|s| of at least `fraction` [1/s]; zero if none can
-/// grow. With K = K₊ + N, m = y*My, d = y*Cy, k = y*K₊y and n = y*Ny, the real part of (1), multiplied by y*
-/// and divided by s, is
+/// The largest |s| of a motion y exp(st) that grows with c = Re s/|s| of at least `fraction` [1/s]; zero if
+/// none can grow. With K = K₊ + N, m = y*My, d = y*Cy, k = y*K₊y and n = y*Ny (y* is the conjugate
+/// transpose), the real part of (1) of growth.hpp, multiplied by y* and divided by s, is
 ///   Re s (m + k/|s|²) + Re d + Re(n/s) = 0,   m, k ≥ 0                                    (6a)
 ///   c|s|m ≤ −Re d + |n|/|s|                                                               (6b)
 ///   |s| ≤ max(−Re d, 0)/(cm) + (|n|/(cm))^½                                               (6c)

@@ -10,9 +10,11 @@ namespace netloft {
 
 namespace {
 
-// Ratios of the steps of the second march to those of the first: longer, unless stability bounds the steps.
+// Ratios r of the steps of the second march to those of the first, see achieved_accuracy.hpp: kShorter if
+// stability limits the steps, otherwise kLonger.
 constexpr double kLonger = 2, kShorter = 0.5;
-// Least relative difference of the mean steps of both marches. Similar steps give no estimate of errors.
+// Least relative difference between the mean steps of both marches. Steps that differ by less give no
+// estimate of the error.
 constexpr double kLeastDifference = 0.1;
 // Displacement of a disturbed start, divided by the length of the longest element: far below what can be
 // measured on a gear. Steps are solved at least as accurately, see limits_of_comparison().

@@ -15,10 +15,10 @@
 namespace netloft {
 
 /// Achieved accuracy of a march (an integration in time), relative to the longest element: the estimated
-/// errors of single steps, if steps are adaptive, and the error of the path, if the user requested it. The
-/// errors of single steps do not bound the error of a motion that amplifies them, and fixed steps have no
-/// estimate. Therefore the host can integrate a second time with steps r times as long (2, or ½ if stability
-/// bounds them). It estimates the error of the path as
+/// errors of single steps, if steps are adaptive, and the error of the path, if the user requested it. A
+/// motion can amplify the errors of single steps, and fixed steps have no estimate. Therefore the host can
+/// integrate a second time with steps r times as long (r = 2, or ½ if stability limits the steps). It
+/// estimates the error of the path as
 ///   the largest distance of a node between the two marches at an output / min(1, |r − 1|)       (1)
 /// where r is the ratio of the mean steps. Outputs at which r differs from 1 by less than a tenth are
 /// ignored; if all are ignored, the error is unknown. The estimate is an upper bound if the error is at least
@@ -72,7 +72,8 @@ void note_step_error(const StepControl& control, const Numbering& numbering, std
 void note_path_error(const std::vector<double>& here, const std::vector<double>& there, double t,
                      double longer, MarchState& state);
 
-/// Stores t as the time from which two marches differ by more than `allowed` [m], unless one is stored.
+/// Stores t as the time from which two marches differ by more than `allowed` [m], unless an earlier time is
+/// stored.
 void note_parting(const std::vector<double>& here, const std::vector<double>& there, double t, double allowed,
                   MarchState& state);
 

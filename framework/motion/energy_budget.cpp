@@ -88,9 +88,10 @@ void EnergyBudget::retract() {
   std::swap(now_, next_);
 }
 
-/// Adds the work of winches in a step, (7), from the power ∂E/∂t at constant positions at both ends of the
-/// step. An energy difference over a step would stretch elements by all the rope that is hauled in during the
-/// step: many times the actual strain of a stiff rope. The energy rises with the square of the strain.
+/// Adds the work of winches in a step, (7) of energy_budget.hpp, from the power ∂E/∂t at both ends of the
+/// step, each at constant positions. The change of E over the whole step at constant positions would be
+/// wrong: it would stretch elements by all the rope that is hauled in during the step, which is many times
+/// the actual strain of a stiff rope, and E rises with the square of the strain.
 bool EnergyBudget::add_winches(const MeanStep* mean) {
   if (mean) return add_winches_of_means(mean->t);
   const double h = next_.t - now_.t;
@@ -101,7 +102,7 @@ bool EnergyBudget::add_winches(const MeanStep* mean) {
 }
 
 /// Evaluates the power ∂E/∂t at a moment by a one-sided difference that is exact for a quadratic function.
-/// The sign of `h` [s] points into the step.
+/// `h` [s] is negative at the end of a step, so that the difference lies within the step.
 bool EnergyBudget::find_power(const Moment& m, double h, double& power) {
   const double tau = kPartOfStep * h;
   double here = 0, near = 0, far = 0;
@@ -112,8 +113,8 @@ bool EnergyBudget::find_power(const Moment& m, double h, double& power) {
   return true;
 }
 
-/// Adds the work of winches, (7), in a step with mean forces in its middle, at time `middle`: the part of the
-/// energy change that is not the work of the mean forces.
+/// Adds the work of winches, (7), in a step with mean forces, whose middle is at the time `middle`. This work
+/// is the part of the energy change that is not the work of the mean forces.
 bool EnergyBudget::add_winches_of_means(double middle) {
   double early[2], late[2];
   if (!find_energies(now_.x, now_.t, early[0], false) || !find_energies(now_.x, next_.t, late[0], false) ||
@@ -142,8 +143,8 @@ bool EnergyBudget::add_ends() {
   return true;
 }
 
-/// Adds the works of a step with mean forces, (8). The rates of guided degrees of freedom are replaced by
-/// their displacements divided by the step length.
+/// Adds the work of all forces in a step with mean forces, (8). The rates of guided degrees of freedom (moved
+/// along given paths) are replaced by their displacements divided by the step length.
 bool EnergyBudget::add_means(const MeanStep& mean, double kinetic_before) {
   state_.set(mean.t, mean.u, mean.v, mean.a);
   middle_ = state_.x();
@@ -237,8 +238,8 @@ bool EnergyBudget::restate(double t, std::span<const double> u, std::span<const 
   return find_forces(now_);
 }
 
-/// Evaluates the inertia force r_M(0, v) without acceleration, of turning bodies, at the moment m. state_
-/// must have been set to m.
+/// Evaluates r_M(0, v) of (4) at the moment m: the inertia force of turning bodies that have no acceleration.
+/// state_ must have been set to m.
 bool EnergyBudget::find_turning(Moment& m) {
   m.turning.clear();
   if (!assembler_.has_bodies()) return true;

@@ -8,8 +8,9 @@
 
 namespace netloft {
 
-/// Energy budget of a motion since its start. r_k is the residual of term k, q are the degrees of freedom,
-/// and integrals are sums over steps by the trapezoidal rule.
+/// Energy budget of a motion since its start. r_k and E_k are the residual and the energy of term k, F the
+/// sum of all r_k, M the masses, q the degrees of freedom, v their rates; integrals are sums over steps by
+/// the trapezoidal rule.
 ///   Σ_k ∫ r_k·dq = ∫ reaction·dq          over all terms, from F = 0                     (1)
 ///   stored_k = E_k                        terms with an energy                           (2)
 ///   kinetic = ½ v·M v                                                                    (3)
@@ -19,14 +20,14 @@ namespace netloft {
 ///   work_of_holds = ∫ reaction·dq         of moving holds                                (6)
 ///   work_of_winches = ∫ ∂E/∂t dt          lengths that change in time                    (7)
 ///   numerical = (6) + (7) − Δ(2) − Δ(3) − (4) − (5)     taken by the scheme; zero if (1) held at all times
-/// r_M(0, v) is the inertia force without acceleration, of turning rigid bodies; the second term of (4)
+/// r_M(0, v) is the inertia force of turning rigid bodies that have no acceleration; the second term of (4)
 /// balances it. Dampers in (5) are evaluated in the middle of each step at the rate Δx/h, because a force
 /// that sets in within a step must not count as if it had acted for half of the step. For the trapezoidal
 /// rule on a linear system, (1) and the budget hold exactly.
 ///
-/// If a scheme uses mean forces (MeanStep), the budget sums their work instead. For a step with the ends 0
-/// and 1, the forces f in its middle and the length h:
-///   (5) f_k·Δq,   (6) reaction·Δq,   (7) change of E(x₁) and E(x₀) from their own times to the middle's
+/// If a scheme uses mean forces (MeanStep), the budget sums their work instead. For a step of length h from
+/// x₀ to x₁, with the forces f in its middle:
+///   (5) f_k·Δq,   (6) reaction·Δq,   (7) change of E(x₀) and of E(x₁) from either end's time to the middle's
 ///   (4) h f_M·½(v₀ + v₁) − Δ(3),  f_M the force of inertia                               (8)
 /// Then (1) holds to the tolerance of the solver, and `numerical` is the energy taken by the damping of the
 /// scheme.
@@ -44,8 +45,7 @@ class EnergyBudget {
   void retract();
   /// Evaluates the forces of the last state again, after elements have stored it in their memory.
   bool refresh() { return find_forces(now_); }
-  /// Replaces the last state by one in which the same rotations of bodies have other (shorter) rotation
-  /// vectors.
+  /// Replaces the rotation vectors of bodies in the last state by shorter vectors of the same rotations.
   bool restate(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a);
 
   /// Names and values [J], in the same order.

@@ -12,10 +12,10 @@ namespace netloft {
 /// evaluates. Therefore each examined step must also satisfy, with the energies `given` and W of
 /// energy_judge.hpp at its end,
 ///   |Δnumerical| ≤ accuracy (given + W)                                                     (1)
-/// The energy that a snap takes or creates is proportional to h, whereas the error of a step is proportional
-/// to h³. When the error of a step was the only control, a chain was integrated in steps of 1e-7 s at an
-/// accuracy of 5e-5, and failed nevertheless. Without a budget, every 16th step is examined if stability
-/// makes steps short.
+/// Δnumerical is the energy that the scheme takes in the step. The energy that a snap takes or creates is
+/// proportional to the step length h, whereas the error of a step is proportional to h³. When the error was
+/// the only control, a chain was integrated in steps of 1e-7 s at an accuracy of 5e-5, and failed
+/// nevertheless. Without a budget, every 16th step is examined if stability makes steps short.
 class EnergyWatch {
  public:
   /// `makes_short_steps`: whether stability requires short steps.
@@ -26,13 +26,12 @@ class EnergyWatch {
   /// Whether the energy of the next step will be examined.
   bool watches_step_after(const MarchState& state) const;
   /// Examines an attempted step, from one state to another at time t. `error` is the error of the step
-  /// divided by its tolerance; it is raised to the ratio of both sides of (1) if that is larger. Returns
-  /// false if an element failed, see Assembler::fault.
+  /// divided by its tolerance. If the ratio of the left to the right side of (1) is larger, it replaces
+  /// `error`. Returns false if an element failed, see Assembler::fault.
   bool examine(TransientProblem& problem, const MarchState& from, const MarchState& to, double t,
                double& error);
   void accept() { judge_ = tried_; }
-  /// Replaces the last state by one in which the same rotations of bodies have other (shorter) rotation
-  /// vectors.
+  /// Replaces the rotation vectors of bodies in the last state by shorter vectors of the same rotations.
   bool restate(const MarchState& state);
   /// Stores, in the state of the march, the sums from which a resumed march continues. `refreshes`: elements
   /// have stored the state in their memory, so that their forces are evaluated again.

@@ -14,14 +14,14 @@ namespace netloft {
 namespace {
 
 constexpr int kMostLanczosSteps = 60;
-/// Least number of Lanczos steps. A mode that is orthogonal to the known one starts with a fraction of
-/// kPartOfOthers/√n and has to grow before it is visible; with fewer steps, the residual could be small
-/// before that.
+/// Least number of Lanczos steps. A mode that is orthogonal to the known one is only the fraction
+/// kPartOfOthers/√n of the first vector and has to grow before it is visible. With fewer steps, the residual
+/// could become small before that.
 constexpr int kLeastSteps = 12;
 constexpr double kPartOfOthers = 0.1, kResidual = 0.05;
-/// If the length β of a new vector is at most this fraction of the largest α, the vector is rounding error:
-/// the previous vectors then span all modes that the first vector contains. Further steps would give copies
-/// of modes, for which the QR algorithm can fail to converge.
+/// If the length β of a new vector in (1) of highest_frequency.hpp is at most this fraction of the largest α,
+/// the vector is rounding error: the previous vectors then span all modes that the first vector contains.
+/// Further steps would give copies of modes, for which the QR algorithm can fail to converge.
 constexpr double kExhausted = 1e-10;
 
 /// Pseudo-random numbers in [−1, 1), always the same (Knuth's MMIX generator).
@@ -35,8 +35,8 @@ std::vector<double> noise(std::size_t size) {
   return x;
 }
 
-/// The Lanczos iteration, (1) of find_highest_mode. It stores M q with q, so that a step needs only one
-/// division by M.
+/// The Lanczos iteration, (1) of highest_frequency.hpp. It stores M q together with q, so that a step needs
+/// only one division by M.
 class Lanczos {
  public:
   Lanczos(const Pencil& pencil, std::vector<double> start)

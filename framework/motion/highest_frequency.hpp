@@ -21,15 +21,16 @@ struct HighestMode {
   std::vector<double> shape;
 };
 
-/// Finds the mode by the Lanczos iteration in the inner product of M. ω² is the largest Ritz value of at most
-/// 60 steps plus its residual (C. Lanczos 1950; B. N. Parlett, The Symmetric Eigenvalue Problem, 1980,
-/// chapter 13):
+/// Finds the mode by the Lanczos iteration in the inner product of M, with successive vectors q₋, q, q₊ of
+/// length 1. ω² is the largest Ritz value of at most 60 steps plus its residual (C. Lanczos 1950; B. N.
+/// Parlett, The Symmetric Eigenvalue Problem, 1980, chapter 13):
 ///   β q₊ = M⁻¹ K q − α q − β₋ q₋,  α = qᵀ K q                                              (1)
 HighestMode find_highest_mode(const Pencil& pencil);
 
-/// The highest frequency of a pencil that is similar to the one with the mode `shape`. The iteration starts
-/// from this mode plus a small part of every other mode, so that it also finds stiffer modes orthogonal to
-/// it. It ends when the residual is at most a twentieth of ω², which bounds the overestimate.
+/// The highest frequency of a pencil (matrices K and M) similar to another one, whose highest mode is
+/// `shape`. The iteration starts from this mode plus a small part of every other mode, so that it also finds
+/// stiffer modes orthogonal to `shape`. It ends when the residual is at most a twentieth of ω², which bounds
+/// the overestimate.
 double highest_frequency_near(const Pencil& pencil, std::span<const double> shape);
 
 }  // namespace netloft

@@ -19,8 +19,8 @@ struct StartBalance {
   std::string node;               // node with the largest residual; empty: the march has not begun
 };
 
-/// The state that determines the rest of a march (an integration in time) bit by bit, and its report. It is
-/// stored so that the march can continue later.
+/// The state of a march (an integration in time), from which a later run can continue it with bit-identical
+/// results, and the numbers that its report needs.
 struct MarchState {
   double t = 0, h = 0;                      // current time, and length of the next step [s]
   std::vector<double> u, v, a;              // state of the unknowns [m], [m/s], [m/s²]

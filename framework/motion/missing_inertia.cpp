@@ -17,7 +17,8 @@ constexpr double kLeastInertia = 1e-12;
 
 using Block3 = Eigen::Matrix3d;
 
-/// Inertia of a body about its centre of mass, in the units of the arm [kg]:
+/// Inertia of a body about its centre of mass, in the units of the arm [kg], from blocks M of the mass
+/// matrix:
 ///   J = M_qq − M_Xqᵀ M_XX⁻¹ M_Xq,  X its origin, q its rotation times its arm                      (1)
 class OwnMasses {
  public:

@@ -14,9 +14,9 @@ namespace netloft {
 
 namespace {
 
-// Forces below this fraction of the load may be left by the tolerance of the search for the start.
+// The tolerance of the search for the start may leave unbalanced forces up to this fraction of the load.
 constexpr double kDrives = 1e-3;
-// Distances below this many roundings of the largest displacement are not distinguished from rounding.
+// Distances of fewer rounding errors of the largest displacement than this count as rounding.
 constexpr double kRoundings = 1e4;
 constexpr double kShortest = 1e-7;  // shortest step, relative to that of the march
 
@@ -71,13 +71,14 @@ double SchemeProbe::largest_force(const MarchState& at, std::span<const double> 
   return largest_of(force_);
 }
 
-/// The largest force that the velocities of the last step leave over [N], by the first half of (1).
+/// The largest force that remains unbalanced at the velocities of the last step [N], by the first half of
+/// (1).
 double SchemeProbe::left_over(const MarchState& at, double h) {
   for (std::size_t i = 0; i < a_.size(); ++i) mean_a_[i] = a_[i] == 0 ? 0 : (next_v_[i] - at.v[i]) / h;
   return largest_force(at, mean_a_);
 }
 
-/// How far the last step goes, as a fraction of the second half of (1).
+/// The length of the last step along v: (u_new − u)·v as a fraction of its limit h v·v in (1).
 double SchemeProbe::moved(const MarchState& at, double h) const {
   double went = 0, due = 0;
   for (std::size_t i = 0; i < a_.size(); ++i) {

@@ -11,23 +11,23 @@
 
 namespace netloft {
 
-/// Whether an integrator follows the equation of motion, which the host finds out by itself: it takes steps h
-/// from a state, which are discarded, and computes the forces that they leave over. Every convergent scheme
-/// has
+/// Tests whether an integrator follows the equation of motion F(t, u, v, a) = 0. The host takes steps of
+/// length h from a state, computes the forces that remain unbalanced, and discards the steps. Every
+/// convergent scheme has
 ///   F(t, u, v, (v_new − v)/h) → 0  and  (u_new − u)·v → h v·v                                (1)
-/// for h → 0, also where some modes are faster than any step of the march. Steps are shortened tenfold until
-/// the forces left over are at most half of F(t, u, v, 0) and the second half of (1) holds within a half. If
-/// none of them is so good, the scheme does something else than to integrate this motion, such as nothing at
-/// all. A half is far above rounding and the tolerance of the solver, and far below nothing. Unknowns without
-/// mass are left out.
+/// for h → 0, even if some modes are faster than any step of the march. Steps are shortened tenfold until the
+/// remaining forces are at most half of F(t, u, v, 0) and the second half of (1) holds within a half. If no
+/// step achieves this, the scheme does not integrate this motion; it may do nothing at all. A half is far
+/// above the effects of rounding and of the solver's tolerance, and far below the effect of doing nothing.
+/// Unknowns without mass are left out.
 class SchemeProbe {
  public:
   SchemeProbe(Assembler& assembler, double mass_damping, SolverChoice solver, const MakeFactorisation& make,
               const Limits& limits);
 
-  /// Tests the scheme at a state, beginning with steps of a tenth of its h. Returns a sentence, which is
-  /// empty if (1) holds, if forces are so close to balance and velocities so close to rest that (1) says
-  /// nothing, or if no step could be taken.
+  /// Tests the scheme at a state, beginning with steps of a tenth of its h. Returns a sentence about the
+  /// fault. It is empty if (1) holds, if no step could be taken, or if forces are so close to balance and
+  /// velocities so close to rest that (1) says nothing.
   std::string fault_of(const StepScheme& scheme, const MarchState& at);
 
  private:
@@ -38,11 +38,12 @@ class SchemeProbe {
   double moved(const MarchState& at, double h) const;
 
   TransientProblem problem_;
-  // accelerations without the coupling of masses, which only serve as a start and tell what has mass
+  // Accelerations without the coupling of masses: the scheme starts from them, and they show which unknowns
+  // have mass.
   std::vector<double> a_;
   std::vector<double> force_, mean_a_, next_u_, next_v_, next_a_, error_;
-  double driving_ = 0;                          // largest of the forces F(t, u, v, 0) on what has mass [N]
-  bool is_driven_ = false, is_moving_ = false;  // which halves of (1) say something
+  double driving_ = 0;  // largest of the forces F(t, u, v, 0) on unknowns with mass [N]
+  bool is_driven_ = false, is_moving_ = false;  // which halves of (1) can be tested
 };
 
 }  // namespace netloft

@@ -115,8 +115,9 @@ class March {
     return true;
   }
 
-  /// Whether the scheme follows the equation of motion from the current state. A march is not called finished
-  /// otherwise; how the steps of a search for an equilibrium get there does not matter.
+  /// Whether the scheme follows the equation of motion from the current state (scheme_probe.hpp); if not, the
+  /// march fails. The test is left out in a search for an equilibrium, in which only the end of the march
+  /// matters.
   bool follows() {
     if (!settings_.judged) return true;
     SchemeProbe probe(assembler_, settings_.mass_damping, methods_.solver, of_.make, without_work(limits_));
@@ -225,7 +226,7 @@ class March {
           !energy_.examine(problem_, state_, next_, end, error))
         return fail_at_fault();
       if (status == NETLOFT_OK && error <= 1) return accept(end, h, error);
-      // The failure is then due to a limit of the march, not to the step.
+      // A step can also fail because a limit of the whole march was reached.
       if (status != NETLOFT_OK && has_ended()) return false;
       if (status < 0) return fail_in_step();
       ++state_.rejected;
@@ -240,8 +241,7 @@ class March {
   /// Tries a step. Repeats it until the speeds of winches that hold a tension agree with their tensions.
   int try_step(double h) {
     if (winches_.empty()) return try_once(h);
-    // Without this call, the linear stiffness would belong to earlier rope lengths, unlike in a resumed
-    // march.
+    // The linear stiffness depends on rope lengths. It is evaluated again, as it is in a resumed march.
     problem_.algebra().forget_metric();
     for (winches_.begin(state_.t, h);;) {
       const int status = try_once(h);

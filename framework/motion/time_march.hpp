@@ -23,7 +23,7 @@ struct StepMethods {
 
 /// Forces at the end of a step. They are not evaluated at outputs between the ends of a step: interpolated
 /// positions are smooth but not in balance, and a stiff twine turns their smallest error into a force. If a
-/// scheme uses mean forces, the reactions are means over the step, too. Means explain the change of momentum
+/// scheme uses mean forces, the reactions are means over the step, too: these explain the change of momentum
 /// in the step, whereas forces at its end oscillate from step to step with modes that are too fast for the
 /// scheme.
 struct ForceMoment {

@@ -42,7 +42,8 @@ class TransientProblem {
   double highest_frequency_at(std::span<const double> u);
   /// The reason for which explicit schemes cannot be used; empty if they can.
   std::string obstacle_to_explicit(const Scene& scene);
-  /// Raises the load to which tolerances are relative if `residual`, over all dofs, has a larger one [N].
+  /// Raises the load to which tolerances are relative to the largest load in `residual`, over all dofs, if
+  /// that is larger [N].
   void note_loads(std::span<const double> residual);
   /// The midpoint of the last step, which ends at displacements u and is not yet accepted. nullptr if the
   /// step did not use mean forces, or if an element failed (Assembler::fault).

@@ -9,11 +9,13 @@ namespace netloft {
 
 namespace {
 
-constexpr double kSettled = 1e-3;  // speed error relative to the largest speed, a thousandth of the band
-// Limit of attempts per step that do not measure S. After half of them, S is measured again.
+// Largest error of a speed, relative to the largest speed: a thousandth of the band.
+constexpr double kSettled = 1e-3;
+// Limit of attempts per step that do not measure the matrix S of (3) in winches.hpp. After half of them, S is
+// measured again.
 constexpr int kMostTries = 12;
 constexpr double kMeasured = 0.02;  // change of speed to measure S, relative to the largest speed
-// Sweeps over the winches to solve (2) and (3); the gear couples winches only weakly.
+// Sweeps over the winches to solve (2) and (3) of winches.hpp; the gear couples winches only weakly.
 constexpr int kSweeps = 30;
 constexpr double kLeastLeft =
     0.05;  // least remaining fraction of a rope; with less, its bars are too stiff for any step
