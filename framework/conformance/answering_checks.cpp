@@ -67,8 +67,8 @@ States collapsed(const Bench& b, States s) {
   return s;
 }
 
-/// States at rest, as far as the description defines them: nodes at distances of one length, on a line for
-/// ropes and along the axes for other elements, without motion.
+/// States at rest: without motion, with the nodes of an element one length apart, on a line for pairs of bars
+/// and along the axes for other elements. Its description does not define rest more precisely.
 States resting(const Bench& b, const States& like) {
   States s = b.blank(like.first, like.count);
   const bool straight = b.type.element.stencil == NETLOFT_BAR_PAIR;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Derivatives are compared with central differences over a range of steps, and the best step counts for each
 // state: large steps suffer from curvature, small ones from rounding, and a kink affects only steps that
-// reach over it. A state that still fails, and at which the one-sided differences disagree by as much, is on
-// a kink and is ignored; at most a tenth of all states may be ignored.
+// reach over it. A state that fails with every step is on a kink if its one-sided differences differ by more
+// than half of the error. Such states are ignored, but at most a tenth of all states may be.
 #include "framework/conformance/checks.hpp"
 
 #include <algorithm>
@@ -280,8 +280,8 @@ Finding constant_where_claimed(Bench& b) {
 
 namespace {
 
-/// Work of the force along a straight path, by the midpoint rule in `pieces` pieces, and the sum of the
-/// absolute works.
+/// Work of the force along a straight path, summed over pieces by the midpoint rule, and the sum of the
+/// absolute works of the pieces.
 struct StageRecord {
   Lanes work = Lanes(kLanes, 0.0), effort = Lanes(kLanes, 0.0);
   bool inside = true;  // whether all points are inside the domain

@@ -155,8 +155,8 @@ Finding gains_no_energy(IntegratorBench& b) {
   return up_to(motion.energy(), 1.05, "energy after 2000 steps of a free motion over that of the start");
 }
 
-/// Checks the declared stable step: the energy stays bounded with 0.8 of it, or, if all steps are declared
-/// stable, with steps of 100 divided by the angular frequency.
+/// Checks the declared stable step. The energy must stay bounded with steps of 0.8 times the stable step or,
+/// if all steps are declared stable, with steps of 100 divided by the angular frequency.
 Finding stable_as_it_says(IntegratorBench& b) {
   const double fastest = 2, stable = b.stable_step(fastest);
   const double h = stable > 0 ? 0.8 * stable : 100 / fastest;

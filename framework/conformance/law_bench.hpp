@@ -18,9 +18,9 @@ struct LawAnswer {
 };
 
 /// The fixture of the law checks, with sampled parameters and flows. Speeds are from 1 cm/s to 5 m/s,
-/// diameters from 1 mm to 10 cm, solidities from 0 to 0.9, a quarter of them zero. Of eight flows, one is
-/// zero, one is along the twine (or the normal of the screen), one is perpendicular to it, two differ from
-/// the last two by a millionth, and one is a thousand times slower.
+/// diameters from 1 mm to 10 cm, solidities from 0 to 0.9, a quarter of them zero. Among eight flows, one is
+/// zero, one is along the twine (or the normal of the screen), and one is perpendicular to it. Two more
+/// differ by a millionth from the parallel and the perpendicular flow, and one is a thousand times slower.
 struct LawBench {
   LawBench(const LawType& type, const ConformanceOptions& options);
 

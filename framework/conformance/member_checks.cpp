@@ -16,8 +16,9 @@ struct Pull {
   std::vector<double> force;  // sum of the forces, by degree of freedom
 };
 
-/// Adds the energy and the forces of a member (netloft_member) at a state of its element. Returns false if it
-/// has no length and therefore no direction.
+/// Adds the energy E and the forces f_i on the nodes of a member (netloft_member: coefficients c, tension T,
+/// rest length l₀) at a state of its element. Returns false if the member has no length and therefore no
+/// direction.
 ///   l = ‖w‖, w = Σ c x,  E = ½ number T (l − l₀),  f_i = number c_i T w/l
 bool add_member(const netloft_member& m, const States& s, std::size_t lane, Pull& sum) {
   double w[3] = {};

@@ -60,7 +60,7 @@ bool PracticeProblem::is_inside(const double* u) const {
   return like_.wall == 0 || std::all_of(u, u + n_, [this](double v) { return v < like_.wall; });
 }
 
-/// The argument x = S (u − a)/F of γ in (1).
+/// The argument x = S (u − a)/F of γ in (1) of practice.hpp.
 double PracticeProblem::gripped(std::uint32_t i, double u) const {
   const double s = (i + 1) / double(masses_);
   return like_.grip / kStrength * (u - kReach * (2 * s - s * s) - kShift);

@@ -26,10 +26,10 @@ struct PracticeSwing {
 /// step
 ///   u = (27 uₙ + 5 uₙ₊₁)/32 + h (9 vₙ − 3 vₙ₊₁)/64                                         (3)
 /// The mean forces of a step (netloft_motion::solve_between) are (1) at its middle, because springs are
-/// linear, plus
+/// linear, plus the force of the damping χ with the memory ν and the remembered rate r,
 ///   m ω² χ/2 (uₙ₊₁ − uₙ − h r),  r ← r + ν ((uₙ₊₁ − uₙ)/h − r) at the end of the step        (4)
-/// Outputs of a step and scratch are NaN before the step, so that omitted outputs and memory in scratch are
-/// found.
+/// The outputs of a step and the scratch memory are NaN before the step. The checks thus find omitted
+/// outputs, and integrators that remember numbers in scratch memory.
 class PracticeMotion {
  public:
   explicit PracticeMotion(const PracticeSwing& like);

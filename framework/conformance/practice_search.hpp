@@ -44,9 +44,9 @@ enum class Slip {
 /// coarser meshes, solved by Newton's method with full steps and |K| in place of an indefinite K,
 ///   u ← u − |K|⁻¹ r.
 /// An iteration costs 1 on the finest mesh, 1/2 on the next, and so on; every stage and every assessment
-/// costs a tenth in addition. After an interrupt, no work is left. The cap on stiffness reduces k and S, the
-/// factor on the current reduces s and half of f. The search offers no members. All requests and answers are
-/// recorded for the checks.
+/// costs a tenth in addition. After an interrupt, no work is left. The cap on stiffness reduces the k and S
+/// of practice.hpp, the factor on the current reduces s and half of f. The search offers no members. All
+/// requests and answers are recorded for the checks.
 class PracticeSearch {
  public:
   explicit PracticeSearch(const PracticeScene& scene);

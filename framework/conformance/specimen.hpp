@@ -59,7 +59,7 @@ struct Answer {
   bool ok() const { return status == NETLOFT_OK; }
 };
 
-/// Status of a call that broke a rule of the boundary (plugin_call.hpp), such as to let no exception out.
+/// Status of a call that broke a rule of the plugin interface (plugin_call.hpp), such as by an exception.
 inline constexpr int kThrew = -1000;
 
 struct Refused : std::runtime_error {

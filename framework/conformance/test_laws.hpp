@@ -13,8 +13,9 @@ struct LaneCounts {
   std::atomic<std::uint64_t> all{0}, wrong{0};
 };
 
-/// The law that an element uses in its checks, so that they need no plugin. With the relative velocity W of
-/// the water, the direction t, the solidity S, and h = D for twines, 1 for screens:
+/// A law for the checks of elements, so that these checks need no plugin of laws. With the relative velocity
+/// W of the water, its density ρ, the direction t, the solidity S, and h = D (the diameter) for twines, 1 for
+/// screens:
 ///   F = ½ ρ h (1 + S) [‖W‖ W + 0.5 (W·t) ‖W‖ t]
 /// It is twice differentiable except at W = 0, passive, and uses every input. `lanes` counts lanes unless it
 /// is nullptr, and must outlive the law.

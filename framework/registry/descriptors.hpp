@@ -40,8 +40,8 @@ T read_struct(const T* from) {
   return to;
 }
 
-/// Limits of a plausible table: it has at most kMostRows rows, and each has room for its size and a 32-bit
-/// word.
+/// Limits of a plausible table: at most kMostRows rows, each at least kLeastRow bytes long (its size and
+/// another 32-bit number).
 inline constexpr std::uint32_t kMostRows = 4096, kLeastRow = 8;
 
 /// Copies the rows of a table. Throws std::length_error if count or row length are not plausible.
@@ -134,8 +134,8 @@ struct PluginContent {
 /// Throws PluginRefused with one sentence per fault found.
 PluginContent read_plugin(const netloft_plugin* plugin, const std::string& file, const std::string& stem);
 
-/// Names of the parameters of which at least one must differ from zero for the term to act; empty if the term
-/// always acts.
+/// Names of the parameters that switch a term on: the term acts if at least one of them is not zero. Empty if
+/// the term always acts.
 std::vector<std::string> names_needed_by(const netloft_term& term);
 
 }  // namespace netloft

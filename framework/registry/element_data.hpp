@@ -10,8 +10,9 @@
 
 namespace netloft {
 
-/// Data that the host provides to every element that declares data with this name. Code that fills or reads
-/// them uses the names below. Authors find the table in guides/element.md, and a test compares both.
+/// A datum (numbers of each element, such as its rest length) that the host provides to every element that
+/// declares it by this name. Code that fills or reads it uses the names below. Authors find the table in
+/// guides/element.md, and a test compares both.
 struct HostDatum {
   const char* name;
   std::uint32_t width;  // how many numbers an element has

@@ -8,9 +8,9 @@
 namespace netloft {
 
 /// How a thread computes: the direction of rounding, whether subnormal numbers become zero, and which
-/// exceptions trap. The flags of exceptions that have occurred do not belong to it, and on an x86 neither
-/// does the mode of its old registers, which double precision does not use. On processors other than x86-64
-/// and AArch64, all modes are equal.
+/// exceptions trap. The flags of past exceptions are not part of the mode, nor is the mode of the x87
+/// registers, which double precision does not use. On processors other than x86-64 and AArch64, all modes are
+/// equal.
 class FloatingPointMode {
  public:
   /// The mode of this thread.

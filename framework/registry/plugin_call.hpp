@@ -43,8 +43,8 @@ class CallStack {
   std::uint64_t crossings() const { return crossings_.load(std::memory_order_acquire); }
   /// Number of calls that methods made back to the host.
   std::uint64_t callbacks() const { return callbacks_.load(std::memory_order_relaxed); }
-  /// Least depth since the last call of `watch_depth`. The calls below that depth have been running since
-  /// then.
+  /// Least depth since the last call of `watch_depth`. Calls that are nested less deep have been running
+  /// since then.
   std::uint32_t lowest() const { return lowest_.load(std::memory_order_relaxed); }
   void watch_depth() { lowest_.store(depth(), std::memory_order_relaxed); }
   CallFrame at(std::uint32_t i) const;
@@ -55,24 +55,27 @@ class CallStack {
   std::optional<CallFrame> innermost_plugin() const;
 
   // The rest is for this thread only.
-  /// Notes that the innermost plugin broke a rule of the boundary: "let an exception out of", and perhaps
-  /// what the exception said. Only the first one is kept until it is taken.
+  /// Notes that the innermost plugin broke a rule of the plugin interface. `did` is a phrase such as "let an
+  /// exception out of", and `detail` the text of the exception, if any. Only the first note is kept, until
+  /// take_blame().
   void blame(const char* did, const char* detail = nullptr) noexcept;
-  /// Whether a plugin has been blamed whose call is, or was, nested deeper than `depth` calls. Calls that are
-  /// not nested so deep are still under way, and are asked about it when they end.
+  /// Whether the blamed plugin was called at a depth greater than `depth`. Calls that are nested less deep
+  /// are still under way; they ask again when they end.
   bool has_blame(std::uint32_t depth) const { return depth_of_blame_ > depth; }
   const char* blame_text() const { return blame_; }
-  /// "evil/weight let an exception out of term pull: no stiffness"; afterwards there is no blame.
+  /// Returns the note as a sentence and deletes it: "evil/weight let an exception out of term pull: no
+  /// stiffness".
   std::string take_blame();
-  /// Makes the floating-point mode that of the host again. Blames the innermost plugin if it was another.
+  /// Restores the floating-point mode of the host. Blames the innermost plugin if the mode was a different
+  /// one.
   void restore_mode() noexcept {
     if (FloatingPointMode::now() != mode_of_host_) [[unlikely]]
       blame_for_mode();
   }
 
-  /// Takes the present floating-point mode for that of the host. A thread does so before its first call of a
-  /// plugin, because to read the mode before each of them would take as long again as to compare it
-  /// afterwards.
+  /// Stores the present floating-point mode as that of the host. A thread does so once, before its first call
+  /// of a plugin: reading the mode before every call would take as long again as comparing it after every
+  /// call.
   void take_mode_of_host() noexcept { mode_of_host_ = FloatingPointMode::now(); }
 
  private:
@@ -123,8 +126,9 @@ class PluginCall {
   PluginCall& operator=(const PluginCall&) = delete;
 
   void blame_exception(const char* what) noexcept { calls_.blame("let an exception out of", what); }
-  /// Whether the plugin, which has returned, left the host as it was. Its floating-point mode is restored.
-  /// Ends the program if the plugin jumped over functions of the host, whose state is then unknown.
+  /// Whether the plugin, which has returned, kept the rules of the plugin interface. Restores the host's
+  /// floating-point mode. Ends the program if the plugin jumped over functions of the host (longjmp), because
+  /// the state of the host is then unknown.
   bool kept_the_rules() noexcept {
     if (calls_.depth() != depth_ + 1) [[unlikely]]
       end_after_jump();
@@ -157,12 +161,12 @@ std::invoke_result_t<Body> call_plugin(const CallFrame& frame, std::invoke_resul
   return failed;
 }
 
-/// The sentence about the first rule that a plugin broke on this thread and that was not taken before; empty
-/// if there is none. The plugin need not be the one that was called last: it may be a law that an element
-/// called. Plugins that are still running are left out.
+/// Returns a sentence about the first rule that a plugin broke on this thread since the last call of this
+/// function; empty if no rule was broken. The plugin need not be the one that was called last: it may be a
+/// law that an element called. Plugins that are still running are left out.
 std::string take_broken_rule();
-/// Writes this sentence into `text`, and returns whether there was one. Without one, `text` is only made to
-/// end, because a plugin wrote it.
+/// Writes the sentence of take_broken_rule() into `text`, and returns whether there was one. If there was
+/// none, only ends `text`, which a plugin wrote, with a zero.
 bool take_broken_rule(std::span<char> text) noexcept;
 
 /// Records that a plugin has called the host during the lifetime of the object. The host computes in its own

@@ -4,13 +4,13 @@
 
 namespace netloft {
 
-/// Thrown for a name that is that of a component of another kind, such as a solver where an element belongs:
-/// no plugin is at fault, the input is.
+/// Thrown if a name belongs to a component of another kind, for example to a solver where an element is
+/// needed. The input is at fault then, not the plugin.
 struct WrongKind : UnknownComponent {
   using UnknownComponent::UnknownComponent;
 };
 
-/// Whether a plugin is at fault, and not only the kind of component that was named.
+/// Whether an error is the fault of a plugin, not of an input that names a component of the wrong kind.
 inline bool blames_plugin(const PluginRefused& error) {
   return dynamic_cast<const WrongKind*>(&error) == nullptr;
 }

@@ -188,8 +188,8 @@ double RigidBody::arm() const {
 }
 
 std::optional<std::size_t> Scene::body_at(std::uint32_t origin) const {
-  // Halving finds nearly all bodies, because they are made in the order of their nodes; joins may change that
-  // order.
+  // Bisection finds nearly all bodies, because they are made in the order of their nodes. Joining parts may
+  // change that order; all bodies are then searched.
   std::size_t first = 0, last = bodies.size();
   while (last - first > 1) {
     const std::size_t middle = first + (last - first) / 2;

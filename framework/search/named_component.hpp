@@ -25,8 +25,8 @@ using GivenValues = std::map<std::string, Values>;
 void check_named(const netloft_parameter& parameter, const std::string& specification, Registry& registry,
                  const GivenValues& given = {}, std::set<std::string> callers = {});
 
-/// The strategies that the parameters of a strategy name, those that the parameters of these name, and so on.
-/// `values` are the parameters of the first one; names and values have been checked.
+/// All strategies that a strategy names in its parameters, directly or through the parameters of a named
+/// strategy. `values` are the parameters of `strategy` itself; names and values have been checked.
 std::vector<const StrategyType*> strategies_named_by(const StrategyType& strategy, const Values& values,
                                                      Registry& registry, const GivenValues& given);
 
