@@ -55,7 +55,6 @@ constexpr Matrix3 kIdentity{1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 Matrix3 transposed(const Matrix3& A) { return {A[0], A[3], A[6], A[1], A[4], A[7], A[2], A[5], A[8]}; }
 
-/// A B
 Matrix3 product_of(const Matrix3& A, const Matrix3& B) {
   Matrix3 both{};
   add_transposed_product(transposed(A), B, 1, both);

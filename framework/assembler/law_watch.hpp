@@ -35,7 +35,6 @@ class LawWatch {
   /// `parameters` must be valid and outlive this object.
   LawWatch(const LawType& law, const ParameterBlock& parameters);
 
-  /// The law that elements call: this watch.
   netloft_bound_law bound() const;
   void begin() { watches_ = true; }
   /// Stops watching and returns the use since begin().

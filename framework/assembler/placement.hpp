@@ -57,7 +57,6 @@ class Placement {
   bool is_place(std::size_t i) const { return numbering_.node(Dof(i)) < scene_nodes_; }
   /// The rotation vector of a body at positions x over all dofs [rad].
   std::array<double, 3> rotation(std::size_t body, std::span<const double> x) const;
-  /// Whether a guide moves some held node.
   bool is_guided() const { return !guides_.empty(); }
   /// Splits a residual [N] at a node into the reaction (along the held axes) and the unbalanced force (along
   /// the free axes), in the world frame.

@@ -63,7 +63,6 @@ struct Entries {
   NETLOFT_INLINE double one(std::size_t i, std::size_t lane) const { return at[i][lane]; }
 };
 
-/// The sum of two sets of entries.
 struct BothEntries {
   Entries a, b;
   NETLOFT_INLINE Two two(std::size_t i, std::size_t lane) const { return a.two(i, lane) + b.two(i, lane); }

@@ -43,7 +43,6 @@ class Configuration {
   /// From now on, the displacements u are relative to the positions `base`. Not allowed if bodies carry
   /// nodes.
   void count_from(std::vector<double> base);
-  /// Moves the nodes to the displacements u [m].
   void place(std::span<const double> u);
 
   /// Positions over all degrees of freedom after the last call of `place` [m].

@@ -20,7 +20,6 @@ struct Judging {
   JudgedPoint* known = nullptr;  // the last point whose stability was decided, for reuse; nullptr: no reuse
 };
 
-/// Limits of one solve.
 struct Limits {
   double tolerance = kTolerance;  // largest nodal residual over the largest nodal load
   // Largest number of iterations of one solve. It does not bound a strategy, which may continue from where

@@ -17,7 +17,6 @@ namespace netloft {
 /// matrix is symmetric.
 std::uint32_t traits_of(const Assembler& assembler);
 
-/// A solver with its parameters.
 struct SolverChoice {
   const SolverType* type = nullptr;
   const void* parameters = nullptr;
@@ -47,7 +46,6 @@ struct Balance {
 /// nodal displacement.
 class PathLength {
  public:
-  /// Length of the path up to u [m].
   double up_to(std::span<const double> u);
 
  private:
@@ -92,7 +90,6 @@ class StaticProblem {
   /// Digits that rounding removes from the positions of the last evaluation [m]; empty if displacements are
   /// relative to the start.
   const std::vector<double>& x_low() const { return configuration_.x_low(); }
-  /// Discards the last factor.
   void forget_factor() { factors_.forget(); }
   bool conservative() const { return interface_.traits & NETLOFT_CONSERVATIVE; }
   /// Discards the linear stiffness, because the properties of elements have changed.

@@ -21,7 +21,6 @@ struct Statistics {
   double total_seconds = 0, total_cpu_seconds = 0;  // times including the host's final checks
   double solver_cpu_seconds = 0;                    // processor time without these checks
 
-  /// Adds the cost of another solve.
   void add(const Statistics& other) {
     iterations += other.iterations;
     energies += other.energies;

@@ -197,7 +197,6 @@ std::vector<double> kinetic_energy(const Bench& b, const netloft_term& term, con
   return energy;
 }
 
-/// The state after a time t.
 States later(States s, double t) {
   for (std::size_t i = 0; i < s.x.size(); ++i) {
     s.x[i] += t * (s.v[i] + 0.5 * t * s.a[i]);

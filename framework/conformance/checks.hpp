@@ -4,7 +4,6 @@
 
 namespace netloft::conformance {
 
-/// The result of a check.
 struct Finding {
   bool passed = true, skipped = false;
   double figure = 0, limit = 0;

@@ -61,7 +61,6 @@ ConformanceReport check_integrator(const IntegratorType& type, const Conformance
 /// Checks a strategy, with searches of small scenes (practice_search.hpp).
 ConformanceReport check_strategy(const StrategyType& type, const ConformanceOptions& options = {});
 
-/// Checks the file of a plugin.
 ConformanceReport check_file(const std::filesystem::path& file);
 
 /// Name of the check that is running, for the report of a crash; nullptr between checks.

@@ -18,7 +18,6 @@ struct SolverBench : MethodBench {
   SolverBench(const SolverType& t, const ConformanceOptions& o)
       : MethodBench(t.parameters, t.solver.parameter_bytes, o), type(t) {}
 
-  /// Solves a practice problem and returns the outcome.
   int solve(PracticeProblem& problem) {
     return guarded(type.type, "solve", NETLOFT_SOLVER_ERROR,
                    [&] { return type.solver.solve(parameters.data(), &problem.interface()); });

@@ -70,7 +70,6 @@ struct Escaped : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Sampled elements, created by their plugin.
 class Specimen {
  public:
   /// Throws Refused if the plugin refuses an element, Escaped if it breaks a rule of the boundary.

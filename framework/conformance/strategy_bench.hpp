@@ -27,7 +27,6 @@ struct StrategyBench : MethodBench {
   std::uint64_t seed;
 };
 
-/// A practice scene, and its name in reports.
 struct NamedScene {
   const char* name;
   PracticeScene scene;

@@ -26,7 +26,6 @@ class Arnoldi {
   explicit Arnoldi(Cayley& A) : A_(A) {}
 
   void begin(const Eigen::VectorXd& z);
-  /// Extends the space to `steps` steps in total.
   void extend(Eigen::Index steps);
   /// The Ritz pair that decides the verdict. Candidates are the accurate pairs (is_known) that lie beyond the
   /// unit circle by more than `beyond`. Candidates whose rate s has |Im s| ≤ Re s (slower oscillation than

@@ -53,7 +53,6 @@ bool is_symmetric_part_positive(const SparsePattern& p, std::span<const double> 
   return factorisation->factorise(values).status == FactorStatus::ok;
 }
 
-/// The largest entry of each column.
 std::vector<double> largest_by_column(const SparsePattern& p, std::span<const double> A) {
   std::vector<double> largest(static_cast<std::size_t>(p.size));
   for_entries(p, A, [&](std::int32_t, std::int32_t c, double value) {

@@ -77,7 +77,6 @@ void note_path_error(const std::vector<double>& here, const std::vector<double>&
 void note_parting(const std::vector<double>& here, const std::vector<double>& there, double t, double allowed,
                   MarchState& state);
 
-/// Returns the values stored in `state`.
 AchievedAccuracy achieved_accuracy(const AssembledScene& of, const MarchSettings& settings,
                                    const StepControl& control, const MarchState& state);
 

@@ -41,7 +41,6 @@ class EnergyBudget {
   /// none.
   bool advance(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a,
                const MeanStep* mean = nullptr);
-  /// Undoes the last `advance`.
   void retract();
   /// Evaluates the forces of the last state again, after elements have stored it in their memory.
   bool refresh() { return find_forces(now_); }

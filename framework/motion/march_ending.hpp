@@ -7,7 +7,6 @@
 
 namespace netloft {
 
-/// Status at the end of a march.
 enum class MarchStatus { finished, stopped, failed, out_of_time, out_of_work, interrupted };
 const char* name_of(MarchStatus status);
 

@@ -7,7 +7,6 @@
 
 namespace netloft {
 
-/// An integrator with its parameters.
 struct IntegratorChoice {
   const IntegratorType* type = nullptr;
   const void* parameters = nullptr;

@@ -48,7 +48,6 @@ class TransientProblem {
   /// The midpoint of the last step, which ends at displacements u and is not yet accepted. nullptr if the
   /// step did not use mean forces, or if an element failed (Assembler::fault).
   const MeanStep* mean_step(std::span<const double> u);
-  /// Whether the last step used mean forces.
   bool is_between() const { return is_between_; }
   /// The forces that determined the last step, over all dofs [N]: means over the step, or forces at its end
   /// (t, u, v, a). Returns false if an element failed, see Assembler::fault.

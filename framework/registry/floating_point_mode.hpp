@@ -13,7 +13,6 @@ namespace netloft {
 /// equal.
 class FloatingPointMode {
  public:
-  /// The mode of this thread.
   static FloatingPointMode now() noexcept {
     FloatingPointMode mode;
 #if defined(__x86_64__)
@@ -23,7 +22,6 @@ class FloatingPointMode {
 #endif
     return mode;
   }
-  /// Makes this the mode of this thread.
   void set() const noexcept {
 #if defined(__x86_64__)
     _mm_setcsr(bits_ | (_mm_getcsr() & kFlags));

@@ -91,7 +91,6 @@ void set_limits() {
   if (const rlim_t now = memory_now(); now > 0) limit(RLIMIT_AS, now + kMemory);
 }
 
-/// Reads a text to its end.
 void read_text(const char* text) {
   static volatile std::size_t sink = 0;
   if (text) sink = sink + std::strlen(text);
@@ -232,7 +231,6 @@ class Trials {
  public:
   /// Returns the report of the trial of a file, or 0 if the process ended without a report or does not exist.
   char of(const std::string& file);
-  /// Ends the process. Returns its status.
   int end();
   bool is_running() const { return process_ > 0 && owner_ == getpid(); }
   bool start();

@@ -31,7 +31,6 @@ class MemberProblem {
 
   netloft_members& interface() { return interface_; }
   const Statistics& statistics() const { return statistics_; }
-  /// The reason why `progress` stopped a method.
   Stop stop() const { return stop_; }
 
  private:

@@ -11,13 +11,11 @@
 
 namespace netloft {
 
-/// A solver and the values of its parameters.
 struct SolverUse {
   const SolverType* type = nullptr;
   Values parameters;
 };
 
-/// A strategy and the values of its parameters.
 struct StrategyUse {
   const StrategyType* type = nullptr;
   Values parameters;

@@ -28,7 +28,6 @@ Scene make_variant(const Scene& scene, Registry& registry, const netloft_variant
 /// Largest axial stiffness (in newtons); zero if there is none.
 double largest_stiffness(const Scene& scene, Registry& registry);
 
-/// Whether some part has a stiffness in compression.
 bool resists_compression(const Scene& scene, Registry& registry);
 
 }  // namespace netloft

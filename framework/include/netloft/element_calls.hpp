@@ -118,7 +118,6 @@ void gather(const double* from, std::size_t lane, Points<double, Nodes>& to) {
       to[static_cast<std::size_t>(n)][axis] = from[static_cast<std::size_t>(3 * n + axis) * kLanes + lane];
 }
 
-/// The bed below a node.
 inline Bed bed_below(const netloft_tile& t, std::size_t node, std::size_t lane) {
   const double* bed = bed_of(t);
   if (!bed) return {};
@@ -325,7 +324,6 @@ void differentiate(const Family<E>& f, std::size_t element, const netloft_tile& 
   }
 }
 
-/// Reads the argument of an output.
 template <class E>
 ViewOf<E> view_of(const netloft_tile& t, std::size_t lane) {
   if constexpr (is_on_body<E>)

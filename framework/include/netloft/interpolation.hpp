@@ -45,7 +45,6 @@ inline double slope_between(double h1, double d1, double h2, double d2) {
   return (w1 + w2) / (w1 / d1 + w2 / d2);
 }
 
-/// Slopes of all samples f at x.
 inline std::vector<double> sample_slopes(const std::vector<double>& x, const std::vector<double>& f) {
   const std::size_t n = x.size();
   std::vector<double> m(n, 0.0);

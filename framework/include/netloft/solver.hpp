@@ -57,7 +57,6 @@ class Problem {
     return checked(p_.evaluate(p_.host, NETLOFT_WANT_ENERGY | NETLOFT_WANT_FORCE | matrix, u.data(), &energy,
                                residual.data()));
   }
-  /// Computes the energy alone.
   Evaluation evaluate(std::span<const double> u, double& energy) {
     return checked(p_.evaluate(p_.host, NETLOFT_WANT_ENERGY, u.data(), &energy, nullptr));
   }

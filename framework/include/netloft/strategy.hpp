@@ -116,7 +116,6 @@ struct Stage {
   /// Whether the equilibrium has a flutter instability, an oscillation that grows: a motion from there does
   /// not come to rest nearby.
   bool flutters() const { return ending == Ending::unstable && growth_frequency > 0; }
-  /// Largest residual divided by the largest load.
   double imbalance() const { return has_forces() ? residual / load : residual > 0 ? 1 : 0; }
 };
 
@@ -148,7 +147,6 @@ class Search {
   }
   bool starts_from_sketch() const { return s_.start == nullptr; }
 
-  /// Solves a variant from `u`.
   Stage solve(const Ask& ask, Displacements u) {
     return ended(ask, std::move(u), [&](netloft_stage& stage) { return s_.solve(s_.host, &stage); });
   }
