@@ -34,8 +34,8 @@ std::vector<std::unique_ptr<ElementFamily>> make_families(const Scene& scene, co
   return families;
 }
 
-/// Returns a scene without parts that has all nodes: those of `scene`, one for the rotation of each body, and
-/// those of the families' shared unknowns.
+/// Returns a scene that has no parts, but all nodes: those of `scene`, one node for the rotation of each
+/// body, and the nodes of the families' shared unknowns.
 Scene with_global_nodes(const Scene& scene, std::span<const std::unique_ptr<ElementFamily>> families) {
   Scene all;
   all.positions = scene.positions;

@@ -50,15 +50,15 @@ class Assembler : public Placement {
   /// The memories of all elements in one array, so that a run can save them and a later run restore them.
   std::vector<double> memory() const;
   void set_memory(std::span<const double> kept);
-  /// Updates the stretch rates of members (twines, ropes), on which their damping depends, after an accepted
-  /// step that ends at `time` [s]: (3) of mean_of_members.hpp with ν = `memory`. Returns false if an element
-  /// fails to write its members.
+  /// Updates the rates at which members (twines, ropes) stretch, by (3) of mean_of_members.hpp with ν =
+  /// `memory`, after an accepted step that ends at `time` [s]. The damping of members depends on these rates.
+  /// Returns false if an element fails to write its members.
   bool remember_stretch(const StepEnds& ends, double memory, double time);
 
-  /// Writes the 3 x 3 mass block of each node along the axes of its unknowns, row by row [kg], and then, for
-  /// each body, the block that couples its origin and its rotation. These blocks are not the whole mass
-  /// matrix: `coupled` receives the largest entry that lies between other pairs of nodes. Returns false if an
-  /// element could not be evaluated: see fault().
+  /// Writes 3 x 3 blocks of the mass matrix, row by row [kg]: first one block per node, along the axes of its
+  /// unknowns, then one per body, which couples its origin and its rotation. `coupled` receives the largest
+  /// entry of the mass matrix that is in none of these blocks. Returns false if an element could not be
+  /// evaluated: see fault().
   bool masses(std::span<const double> x, std::span<double> blocks, double& coupled);
   /// Length of `blocks` in masses().
   std::size_t mass_numbers() const { return 3 * numbering_.dofs() + 9 * bodies_.pairs().size(); }

@@ -257,8 +257,8 @@ bool Bodies::shorten(std::span<const double> start, std::span<double> u, std::sp
       const auto second = a.empty() ? Vec3<double>{} : read(a, body.rotation, body.arm);
       const auto new_rate = rate_of_spin(shorter, spin_of(psi, rate));
       put(v, new_rate);
-      // The angular acceleration α is linear in ψ̈. The part of α that depends on the rates alone is
-      // subtracted first.
+      // The angular acceleration is linear in the second derivative of the rotation vector. The part that
+      // depends on the rates alone is subtracted first.
       put(a, rate_of_spin(shorter, spin_rate_of(psi, rate, second) - spin_rate_of(shorter, new_rate, {})));
     }
     put(u, shorter - (1 / body.arm) * read(start, body.rotation));

@@ -59,7 +59,7 @@ class Bodies {
   /// that line.
   void resist_turning(double* metric) const;
   /// Adds the mass blocks of carried nodes to the mass blocks of their bodies by (3). `between` has one block
-  /// per body, origin x rotation.
+  /// per body, with a row per axis of the origin and a column per axis of the rotation.
   void hand_on_masses(std::span<const double> x, std::span<double> blocks, std::span<double> between) const;
   /// Replaces rotation vectors longer than ¾ of a turn by the shorter vectors of the same rotations, and
   /// their rates by those of the same spin. `u` are displacements of the unknowns from `start`; their rates

@@ -106,8 +106,9 @@ int TermCalls::call_term(const ElementFamily& f, const netloft_term& term, netlo
   return call_matrix_term(f, term, t, request.matrix, sums);
 }
 
-/// Constant forces have no tangent. Inertia is never left out, because without it the matrix of a time step
-/// would be singular.
+/// Whether a term is part of the matrix. Constant forces have no tangent. TangentChoice::elastic leaves out
+/// the forces without an energy, but never inertia, without which the matrix of a time step would be
+/// singular.
 bool TermCalls::counts_in_matrix(const netloft_term& term) const {
   if (term.traits & NETLOFT_CONSTANT) return false;
   return (term.traits & (NETLOFT_CONSERVATIVE | NETLOFT_READS_ACCELERATION)) ||

@@ -53,7 +53,7 @@ class ElementFamily {
     return arms_[element];
   }
   /// Evaluates a term or the outputs on a tile, in a call that is recorded (plugin_call.hpp). If the plugin
-  /// breaks a rule of the boundary, a term returns ERROR, and the outputs throw std::runtime_error.
+  /// breaks a rule of the plugin interface, a term returns ERROR, and the outputs throw std::runtime_error.
   int evaluate(const netloft_term& term, netloft_tile& tile) const;
   int output(netloft_tile& tile, double* values) const;
 

@@ -23,8 +23,8 @@ double largest_lane(std::span<const double> lanes) {
   return largest;
 }
 
-/// Factor from the element's coordinate in row `row` to the unknown: the arm of the body for rotations
-/// (radians to metres), otherwise 1.
+/// Length of the unknown per unit of the element's coordinate in row `row`: the arm of the body for rotations
+/// (metres per radian), otherwise 1.
 double turn_factor(const ElementFamily& f, std::size_t element, std::size_t row) {
   return row / 3 == 1 ? f.arm(element) : 1;
 }

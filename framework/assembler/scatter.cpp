@@ -49,9 +49,9 @@ void add_twins(const Tiling& tiling, std::size_t tile, const std::int32_t* map, 
 using Two = wide::Two::V;
 using Four = wide::Four::V;
 
-/// The nine entries of a block, row by row, each for all elements (lanes) of a tile. The loads name their
-/// vector type, and registers are passed by value: deduced types lose the attribute for unaligned access, and
-/// so do references with clang.
+/// The nine entries of a block, row by row, each for all elements (lanes) of a tile. Loads name their vector
+/// type, and registers are passed by value, because deduced types (and, with clang, references) lose the
+/// attribute that permits unaligned access.
 struct Entries {
   std::array<const double*, 9> at;
   NETLOFT_INLINE Two two(std::size_t i, std::size_t lane) const {

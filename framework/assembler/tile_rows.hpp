@@ -48,9 +48,9 @@ class TileRows {
   }
 
  private:
-  // set_zero() sets kAtOnce rows (2 KiB) to zero in each call of std::fill, for which libraries use plain
-  // stores. Larger areas are filled by instructions with a long start-up, and single rows would need too many
-  // calls. With up to kManyLanes lanes, rows are cleared eight numbers at a time.
+  // set_zero() sets kAtOnce rows (2 KiB) to zero in each call of std::fill: libraries fill such an area with
+  // plain stores, but a larger one with instructions that have a long start-up. Single rows would need too
+  // many calls. With up to kManyLanes lanes, rows are cleared eight numbers at a time.
   static constexpr std::size_t kAtOnce = 4, kManyLanes = 48, kEight = 8;
 
   void set_zero(std::size_t begin, std::size_t end, std::size_t lanes) {

@@ -14,7 +14,8 @@ namespace netloft {
 /// memory.)
 struct Tiling {
   /// Two corners of an element that are the same node, for instance where netting is gathered to a point.
-  /// Block (P, Q) then lies on the diagonal, which stores only its lower half, and represents (Q, P), too.
+  /// Block (P, Q) and its transpose (Q, P) then both belong to the diagonal block of this node, but an
+  /// element stores only one of them.
   struct Twin {
     std::uint32_t lane;
     int P, Q;

@@ -55,17 +55,18 @@ class Workers {
   }
 
  private:
-  // The ticket holds the number of the loop, its count and the next index, so that one atomic operation both
-  // takes an index and proves to which loop it belongs: while that index is not done, the loop cannot change.
+  // The ticket holds the number of the loop, its count and the next index. One atomic operation therefore
+  // takes an index and tells to which loop it belongs: a loop cannot end while one of its indices is not
+  // done.
   static constexpr std::uint64_t kBits = 24, kMask = (1u << kBits) - 1;
   static std::size_t count_of(std::uint64_t ticket) { return ticket >> kBits & kMask; }
   static std::size_t index_of(std::uint64_t ticket) { return ticket & kMask; }
   // The number of pauses that take about as long as the system needs to wake a thread. A thread that waits
-  // for this time before it sleeps never takes more than twice the time of the best choice (A. Karlin, M.
-  // Manasse, L. McGeoch and S. Owicki, Competitive randomized algorithms for nonuniform problems, 1990).
-  // Measured on two cores of an AMD EPYC: a pause takes 24 ns, and a thread wakes 21 us after it is called
-  // (median of 2000; 18 us for the first tenth), which is 900 pauses. Other processors differ. No bench
-  // prints these figures.
+  // for this time before it sleeps takes at most twice the time of a thread that knew in advance how long it
+  // had to wait (A. Karlin, M. Manasse, L. McGeoch and S. Owicki, Competitive randomized algorithms for
+  // nonuniform problems, 1990). Measured on two cores of an AMD EPYC: a pause takes 24 ns, and a thread wakes
+  // 21 us after it is called (median of 2000; 18 us for the first tenth), which is 900 pauses. Other
+  // processors differ. No bench prints these figures.
   static constexpr int kSpins = 1000;
 
   static void pause() {

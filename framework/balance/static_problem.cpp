@@ -139,8 +139,8 @@ int StaticProblem::evaluate_both(const double* u, double* energy, double* residu
   return find_forces(request, u, residual);
 }
 
-/// The mean forces of a step are not the gradient of an energy, so that solvers treat them like forces
-/// without an energy.
+/// Begins an evaluation at u. The mean forces of a step in time are not the gradient of an energy. Their
+/// energy is therefore given as zero, so that solvers treat them like forces without an energy.
 Request StaticProblem::begin_evaluation(const double* u, double* energy) {
   statistics_.energies += energy != nullptr;
   bad_numbers_ = met_error_ = false;
@@ -279,8 +279,8 @@ Imbalance StaticProblem::imbalance_of(const Balance& b) {
 }
 
 /// Upper bound of the residual of one unknown that rounding can cause. Forces are computed from differences
-/// of coordinates, so that their error is the stiffness times the rounding error of a position, or of a
-/// difference if the digits beyond double precision are known.
+/// of coordinates. Their error is the stiffness times the rounding error of a position or, if the digits
+/// beyond double precision are known, of a difference.
 double StaticProblem::rounding_at(std::int32_t unknown, std::span<const double> x) const {
   const auto i = static_cast<std::size_t>(unknown);
   const double stiffness = matrices_.metric_at(unknown) + configuration_.stiffness_of_inertia(i);

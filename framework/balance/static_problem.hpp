@@ -23,7 +23,7 @@ struct SolverChoice {
 };
 
 /// Calls the solver. During the call, its plugin is recorded as running, so that a crash can be explained
-/// (plugin_call.hpp). Throws std::runtime_error if the plugin breaks a rule of the boundary.
+/// (plugin_call.hpp). Throws std::runtime_error if the plugin breaks a rule of the plugin interface.
 netloft_outcome call_solver(SolverChoice solver, netloft_problem& problem);
 
 /// How well forces are in balance at a point. Loads are the dead loads on nodes and the reactions of held

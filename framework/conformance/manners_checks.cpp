@@ -133,8 +133,8 @@ void prefill(std::vector<double>& values, const std::vector<double>& like) {
     values[i] = (largest(like, i % kLanes) + 1) * (1 + 0.01 * static_cast<double>(i / kLanes % 7));
 }
 
-/// Difference between `sum` and its correct value, the numbers of prefill() plus the answer, relative to the
-/// largest number of the element.
+/// Error of `sum`, which must be the numbers of prefill() plus the answer, relative to the largest number of
+/// the element.
 double adding_error(const std::vector<double>& sum, const std::vector<double>& answer, std::size_t lane) {
   std::vector<double> before(answer.size());
   prefill(before, answer);
@@ -300,8 +300,9 @@ Finding same_from_two_threads(Bench& b) {
 
 namespace {
 
-/// Whether no thread and no process begins during `work`. The system numbers both in order of their
-/// beginning: if nothing else begins, a thread before and a thread after the work have consecutive numbers.
+/// Whether no thread and no process begins during `work`. The system gives consecutive numbers to new threads
+/// and processes. If nothing else begins, a thread before and a thread after the work have consecutive
+/// numbers.
 template <class Work>
 bool nothing_begins_during(Work&& work) {
   int before = 0, after = 0;

@@ -250,8 +250,8 @@ netloft_ending PracticeSearch::step_to_balance(PracticeProblem& problem, netloft
   }
 }
 
-/// Writes the result of a stage to `s`, and notes whether the strategy now knows of an interrupt, or that the
-/// work is used up.
+/// Writes the result of a stage to `s`. If the result reports an interrupt, or that the work is used up,
+/// notes that the strategy knows this from now on.
 void PracticeSearch::judge(const PracticeProblem& problem, netloft_stage& s, netloft_ending ending) {
   const std::vector<double> u(s.u, s.u + size_of(s.variant.level));
   const Rank found = rank(problem, s.u, tolerance_of(s));

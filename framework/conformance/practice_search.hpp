@@ -60,8 +60,8 @@ class PracticeSearch {
   const std::vector<std::vector<double>>& answers() const { return answers_; }
   /// Largest residual of the best answer in the scene itself, relative to the load; infinite without answer.
   double imbalance() const;
-  /// Whether some stage found an equilibrium of the scene itself that is better than all answers: a stable
-  /// one if no answer is stable, or any equilibrium if no answer is one.
+  /// Whether some stage found a better equilibrium of the scene itself than all answers: a stable one
+  /// although no answer is stable, or any one although no answer is an equilibrium.
   bool has_kept_an_equilibrium() const;
   /// A sentence about the first mistake; empty if there was none.
   std::string slip(Slip kind) const;

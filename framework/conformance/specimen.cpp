@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t kMessage = 256;
 constexpr double kTime = 1;  // time at which members are evaluated [s]
 
-/// Calls a function of the plugin. If it breaks a rule of the boundary, the status is kThrew.
+/// Calls a function of the plugin. If it breaks a rule of the plugin interface, the status is kThrew.
 template <class Call>
 int guarded(const ElementType& type, const char* function, const char* term, std::string& message,
             Call&& call) {

@@ -72,7 +72,7 @@ struct Escaped : std::runtime_error {
 
 class Specimen {
  public:
-  /// Throws Refused if the plugin refuses an element, Escaped if it breaks a rule of the boundary.
+  /// Throws Refused if the plugin refuses an element, Escaped if it breaks a rule of the plugin interface.
   Specimen(const ElementType& type, const Sample& sample);
   ~Specimen();
   Specimen(const Specimen&) = delete;

@@ -39,8 +39,8 @@ inline const PracticeScene kGripped{.like = {.grip = 1e4}};
 inline const PracticeScene kTwoMeshes{.like = {.grip = 10}, .levels = 2};
 inline const PracticeScene kBuckling{.like = {.buckling = 10, .unknowns = 13}};
 inline const PracticeScene kBucklingUnseen{.like = {.buckling = 10, .unknowns = 13}, .knows_growth = false};
-// The first mass, under the loads of all n masses, has no equilibrium because k² < 4 n f²/l², and hence the
-// chain has none.
+// With the letters of practice.hpp, k² < 4 n f²/l²: the first mass, which bears the loads of all n masses,
+// has no equilibrium, and neither has the chain.
 inline const PracticeScene kRunaway{.like = {.runaway = 0.05}};
 inline const PracticeScene kFlowing{.like = {.swirl = 5}};
 

@@ -241,8 +241,8 @@ Finding survives_its_bounds(StrategyBench& b) {
 
 constexpr std::size_t kExplainGuard = 64;
 
-/// Calls `explain` with room for a text of the given size. Returns an error if `explain` writes beyond this
-/// room; if `asks` is true, returns an error only if `explain` requests a stage or answers.
+/// Calls `explain` with room for a text of the given size. If `asks`, returns an error if `explain` requests
+/// a stage or answers. Otherwise, returns an error if it fails, or if its text does not end within the room.
 std::string fault_of_explaining(StrategyBench& b, const PracticeScene& like, std::uint32_t room, bool asks) {
   PracticeScene scene = like;
   scene.claims = b.type.strategy.needs & kMayBeClaimed;

@@ -13,7 +13,7 @@ namespace netloft {
 namespace {
 
 /// Determines the stability from the tangent at u. A point is neutral if its tangent becomes positive
-/// definite by the addition of a rounding error, which is a multiple of the linear stiffness.
+/// definite by the addition of a small multiple of the linear stiffness, which stands for rounding errors.
 Stability find_stability(StaticProblem& problem, std::span<const double> u) {
   if (problem.factorise_at(u, 0) == NETLOFT_FACTOR_OK) return Stability::stable;
   const netloft_factor shifted = problem.factorise_at(u, kRoundingOfMatrix);
@@ -77,7 +77,7 @@ Stability stability_of(GrowthVerdict verdict) {
   }
 }
 
-/// Finds the growth of disturbances of a point at which the gear has come to rest. For this, elements with
+/// Finds how fast disturbances grow at a point at which the gear has come to rest. For this, elements with
 /// friction remember this point instead of an earlier state.
 Growth find_growth_at_rest(const AssembledScene& scene, const Assessment& a, double gear_size) {
   Assembler& assembler = scene.assembler;

@@ -13,8 +13,8 @@ namespace netloft {
 
 namespace {
 
-// Least shift σ of (4), and the factor by which another σ is tried if K + σC + σ²M is singular. Growth slower
-// than 1e-4/s, which is tenfold in six hours, is not found.
+// Least shift σ of (4) in growth.hpp, and the factor by which another σ is tried if K + σC + σ²M is singular.
+// Growth slower than 1e-4/s, which is tenfold in six hours, is not found.
 constexpr double kLeastSigma = 1e-3, kOtherSigma = 1.3;
 // Number of steps of the Arnoldi iteration, doubled once if they do not decide. If powers of A decide
 // instead, growth is measured over this number of powers, at most this number of times.

@@ -42,9 +42,9 @@ struct Growth {
 ///   A: (y, v) → (y, v),   eigenvalues μ = (σ + s)/(σ − s)                                  (4)
 /// A has an eigenvalue outside the unit circle if and only if some Re s > 0, most clearly for σ ≈ |s| (K.
 /// Meerbergen and D. Roose, IMA J. Numer. Anal. 16, 1996). 24 steps of the Arnoldi iteration find the
-/// outermost, for σ from 1e-3/s in factors of 100 up to (6c) in linear_motion.hpp. A Ritz value θ outside the
-/// circle counts if its residual ρ and the cosine χ of the angle between its left and right eigenvectors
-/// satisfy
+/// outermost eigenvalue for each shift σ, from 1e-3/s in factors of 100 up to (6c) in linear_motion.hpp. A
+/// Ritz value θ outside the circle counts if its residual ρ and the cosine χ of the angle between its left
+/// and right eigenvectors satisfy
 ///   ρ/χ ≤ (|θ| − 1)/10                                                                    (5)
 /// (Y. Saad, Numerical Methods for Large Eigenvalue Problems, 2011). If (5) fails after 48 steps, A is far
 /// from normal, and the growth of its powers decides (L. N. Trefethen and M. Embree, Spectra and

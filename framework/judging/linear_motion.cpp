@@ -62,9 +62,9 @@ std::vector<double> largest_by_column(const SparsePattern& p, std::span<const do
   return largest;
 }
 
-/// For each unknown, the largest driving (negatively damping) entry of C, at least zero: minus its diagonal
-/// entry or, for another entry of its column, the excess of the entry over the geometric mean of the two
-/// diagonal entries.
+/// For each unknown, how strongly C drives a motion instead of damping it, at least zero: the largest of
+/// minus its diagonal entry and, for every other entry of its column, the excess of this entry over the
+/// geometric mean of both diagonal entries.
 std::vector<double> driving_part(const SparsePattern& p, std::span<const double> C) {
   std::vector<double> drives(static_cast<std::size_t>(p.size));
   const auto damped = [&](std::int32_t i) { return std::max(0.0, C[find_slot(p, i, i)]); };

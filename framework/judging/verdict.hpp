@@ -6,8 +6,8 @@
 
 namespace netloft {
 
-/// Precision of positions during a solve: double precision, or double precision with the digits that it
-/// rounds off stored in addition (StaticProblem::count_from).
+/// Precision of positions during a solve: plain double precision, or `compensated`, with the digits that
+/// double precision rounds off stored in addition (StaticProblem::count_from).
 enum class Positions { plain, compensated };
 
 /// The initial guess of a solver.
@@ -23,7 +23,7 @@ std::optional<std::string> why_unfit(const SolverType& solver, std::uint32_t pro
 /// Lets `solver` find the static equilibrium of a scene, and assesses its final point, including its distance
 /// from the equilibrium (`correction`). A stationary point is unstable if its tangent is not positive
 /// definite, or, if forces have no energy, if a disturbance grows (Judging::examine_growth). A solver that
-/// cannot work on the scene is not started. The memory of elements (friction) does not change: the
+/// cannot work on the scene is not started. The memory of elements (friction) does not change, so that the
 /// equilibrium depends on what happened to the scene before the call.
 Solution solve_static(const AssembledScene& scene, SolverChoice solver, const Limits& limits,
                       StartPoint start = {}, Observer observer = {});

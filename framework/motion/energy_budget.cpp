@@ -219,8 +219,8 @@ void EnergyBudget::find_mean_rates() {
   }
 }
 
-/// Adds the entrained energy (4) in a step. M v at the mean velocity of the step is evaluated with the masses
-/// at its end and at its start.
+/// Adds the energy (4) that added mass takes in a step. For the second term of (4), M v is evaluated at the
+/// mean velocity of the step, with the masses at its end and with those at its start.
 bool EnergyBudget::find_entrained() {
   find_mean_rates();
   Kinematics as_rates;

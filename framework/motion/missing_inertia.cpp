@@ -11,8 +11,8 @@ namespace netloft {
 
 namespace {
 
-// An inertia below this fraction of the largest counts as rounding error: the masses of the body are then
-// points on the axis of this inertia.
+// An inertia below this fraction of the largest counts as rounding error: all masses of the body then lie on
+// the axis of this inertia.
 constexpr double kLeastInertia = 1e-12;
 
 using Block3 = Eigen::Matrix3d;

@@ -32,8 +32,7 @@ class StepControl {
   /// The step length of the settings. If the settings give no length, it is the time in which the
   /// acceleration a moves a node by the allowed error.
   double first_step(std::span<const double> a) const;
-  /// Length of the next step by (1), after a step of length h with the error `error`, relative to the allowed
-  /// one.
+  /// Length of the next step by (1), after a step of length h whose error was `error` times the allowed one.
   double next_step(double h, double error) const;
   /// Length of the next attempt by (1), after a step of length h was rejected for the error `error`.
   double shorter_step(double h, double error) const;

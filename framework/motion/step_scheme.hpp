@@ -29,8 +29,8 @@ class StepScheme {
                        [&] { return type_.integrator.stable_step(parameters_, omega); });
   }
   bool has_limit() const { return stable_step(1) != 0; }
-  /// Takes a step. Returns OK, OUTSIDE_DOMAIN or ERROR. If the plugin breaks a rule of the boundary, also in
-  /// an earlier call of a function without a status, the result is ERROR and the message says so.
+  /// Takes a step. Returns OK, OUTSIDE_DOMAIN or ERROR. If the plugin breaks a rule of the plugin interface,
+  /// here or in an earlier call of a function without a status, the result is ERROR and the message says so.
   int step(netloft_motion& motion) const {
     netloft_motion seen = motion;
     const int status = call_plugin(frame("step"), int{NETLOFT_ERROR},

@@ -187,8 +187,8 @@ void Winches::improve_slopes(std::span<const double> tensions) {
   }
 }
 
-/// Measures S: in each attempt, another winch runs a little faster than in the first attempt. After the last
-/// attempt, the speeds of all winches follow from (2) and (3).
+/// Measures the matrix S of (3) in winches.hpp: in each attempt, another winch runs a little faster than in
+/// the first attempt. After the last attempt, the speeds of all winches follow from (2) and (3).
 Winches::Verdict Winches::measure_slopes(std::span<const double> tensions) {
   const std::size_t n = ropes_.size(), done = measured_.size() / n;
   if (measured_.empty())
@@ -225,7 +225,8 @@ void Winches::solve_all() {
   for (const std::size_t k : holding_) ropes_[k].w = w[k];
 }
 
-/// Solves (2) for the speed of one winch. `others` is the change of its tension by the other winches [N].
+/// Solves (2) of winches.hpp for the speed of one winch. `others` is the change of its tension by the other
+/// winches [N].
 double Winches::solve_one(std::size_t k, double others) const {
   const WinchStage& stage = *ropes_[k].stage;
   const double S = std::min(slope(k, k), 0.0);

@@ -155,7 +155,8 @@ std::string numbers_in(std::uint32_t width, const std::string& unit) {
   return std::to_string(width) + (unit == "1" ? " pure " + noun : " " + noun + " in " + unit);
 }
 
-/// Data that the host provides under a name have a fixed width and unit, which an element must not change.
+/// Checks that data with a name of element_data.hpp, which the host provides, have the width and unit given
+/// there.
 void check_data(const ElementType& e, const std::string& owner, Faults& faults) {
   check_names(e.data, owner, "datum", faults);
   for (const auto& d : e.data)

@@ -142,9 +142,9 @@ class PluginCall {
   std::uint32_t depth_;
 };
 
-/// Calls a function of a plugin. Returns its result, or `failed` if the plugin broke a rule of the boundary:
-/// if it let an exception out, or left another floating-point mode, which is restored. take_broken_rule()
-/// then has a sentence about it. A plugin that ends the thread ends the program.
+/// Calls a function of a plugin. Returns its result, or `failed` if the plugin broke a rule of the plugin
+/// interface: if it let an exception out, or left another floating-point mode, which is restored.
+/// take_broken_rule() then has a sentence about it. A plugin that ends the thread ends the program.
 template <class Body>
 std::invoke_result_t<Body> call_plugin(const CallFrame& frame, std::invoke_result_t<Body> failed,
                                        Body&& body) noexcept {

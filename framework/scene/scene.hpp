@@ -122,8 +122,9 @@ struct RigidBody {
   double arm() const;
 };
 
-/// A number of the scene that is found together with the equilibrium, such as the length of a rope. Data of a
-/// part are multiplied by a factor such that a held node has a given reaction.
+/// A number of the scene that is found together with the equilibrium, such as the length of a rope. The data
+/// of a part that add up to this number are multiplied by a factor, such that a held node has a given
+/// reaction.
 struct Setting {
   std::string name;        // "length of warp", for sentences
   std::string part;        // name of the part and of its companions (on pairs of its elements)

@@ -49,8 +49,8 @@ NETLOFT_INLINE void for_sites(const MemberTable& table, const Visit& visit) {
 /// symmetric. `lines` have 6 numbers per member: a unit vector t, a force f, and a, b of K = a t tᵀ + b I
 /// (netloft_members).
 struct MemberKernels {
-  /// Adds n c cᵀ K of all members to the matrix values; n is a member's number of equal twines, c the
-  /// coefficients of its chord.
+  /// Adds (n c cᵀ) ⊗ K of all members to the matrix values; n is the number of equal twines that a member
+  /// represents, c are the coefficients of its chord.
   void (*add_blocks)(const MemberTable& table, const double* K, double* values);
   /// Like add_blocks, with K = a t tᵀ + b I; also adds n c f t of all members to the forces.
   void (*add_lines)(const MemberTable& table, const double* lines, double* forces, double* values);

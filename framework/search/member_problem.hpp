@@ -66,8 +66,8 @@ class MemberProblem {
   std::vector<netloft_member> members_;
   std::vector<std::uint32_t> part_;
   /// A coordinate of a node on a body. In the chord of `member`, it has the coefficient c[k]. `point` is the
-  /// index of this coordinate in vectors over all degrees of freedom, `origin` that of the same coordinate of
-  /// the body's origin.
+  /// index of this coordinate in vectors over all degrees of freedom, `origin` the index of the same
+  /// coordinate of the body's origin.
   struct Carried {
     std::size_t member, k, axis;
     std::int32_t point, origin;

@@ -13,8 +13,8 @@ namespace netloft {
 /// Whether a parameter of a strategy names a solver or another strategy (netloft/strategy.hpp).
 bool names_component(const netloft_parameter& parameter);
 
-/// Parameters that a user gives for components, by their types. They prevail over those of a specification,
-/// also where one component calls another.
+/// Parameters that a user gives for components, by their types. These values prevail over those of a
+/// Specification (netloft/strategy.hpp), also where one component calls another.
 using GivenValues = std::map<std::string, Values>;
 
 /// Checks that the component named by a parameter exists and that its own parameters are valid, such as

@@ -11,8 +11,8 @@
 
 namespace netloft::detail {
 
-/// Structs of extensions by identifier. A struct is made when it is first used, so that code without
-/// extensions does not need their headers.
+/// The structs offered for extensions, found by the identifier of the extension. A struct is made when it is
+/// first used, so that code without extensions does not need their headers.
 class Offers {
  public:
   /// Returns the struct that is offered under an identifier, for an extension whose offer is a single struct.

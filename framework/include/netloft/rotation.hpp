@@ -25,7 +25,8 @@ struct RotationFactors {
   T a, b, c, db, dc;
 };
 
-/// Computes Σ (−s)^k/(2k + n)!, which is a, b, c for n = 1, 2, 3, and its derivative. Valid for s below one.
+/// Computes the sum over k of (−s)^k/(2k + n)!, which is a, b, c for n = 1, 2, 3, and its derivative. Valid
+/// for s < 1.
 template <class T>
 void sum_rotation_series(const T& s, int n, T& sum, T& slope) {
   constexpr int kTerms = 10;  // enough for double precision, because 1/21! is negligible
@@ -107,8 +108,8 @@ Vec3<T> moment_on_vector(const Vec3<T>& psi, const Vec3<T>& moment) {
   return moment - f.b * once + f.c * cross(psi, once);
 }
 
-/// Returns T⁻¹ω = ω − ψ×ω/2 + d ψ×(ψ×ω), d = (1 − a/2b)/φ²: the rate of ψ at the spin ω. With −ψ it returns
-/// the inverse of (4), the moment m from Tᵀm. φ must not be a full turn.
+/// Returns T⁻¹ω = ω − ψ×ω/2 + d ψ×(ψ×ω), d = (1 − a/2b)/φ²: the rate of the rotation vector ψ at the spin ω.
+/// With −ψ it returns the inverse of (4), the moment m from Tᵀm. The angle φ = ‖ψ‖ must not be a full turn.
 inline Vec3<double> rate_of_spin(const Vec3<double>& psi, const Vec3<double>& omega) {
   const double s = dot(psi, psi);
   const auto f = detail::rotation_factors<double>(s);
@@ -118,8 +119,8 @@ inline Vec3<double> rate_of_spin(const Vec3<double>& psi, const Vec3<double>& om
   return omega - 0.5 * once + d * cross(psi, once);
 }
 
-/// Returns the ψ of at most half a turn that rotates the axes of the world into `axes`, which must be
-/// orthonormal and right-handed.
+/// Returns the rotation vector of at most half a turn that rotates the axes of the world into `axes`, which
+/// must be orthonormal and right-handed.
 inline Vec3<double> rotation_vector(const std::array<Vec3<double>, 3>& axes) {
   const auto R = [&](int row, int column) { return axes[static_cast<std::size_t>(column)][row]; };
   const double trace = R(0, 0) + R(1, 1) + R(2, 2);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * The ground below a gear: the bed of the scene, and the velocity at which the ground passes a towed gear. An
- * element lists the identifier in its `inputs`.
+ * element that reads them lists the identifier below in netloft_element.inputs.
  */
 #ifndef NETLOFT_EXT_GROUND_H
 #define NETLOFT_EXT_GROUND_H

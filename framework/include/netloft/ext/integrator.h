@@ -27,10 +27,10 @@ typedef struct netloft_motion {
 
   /* F(t, u, v, a) [N]. Returns NETLOFT_OK, NETLOFT_OUTSIDE_DOMAIN or NETLOFT_ERROR. */
   int (*residual)(void* host, double t, const double* u, const double* v, const double* a, double* residual);
-  /* Finds a such that F(t, u, v, a) = 0, with the masses of the nodes, without a system of equations. */
+  /* Finds the a for which F(t, u, v, a) = 0 from the masses of the nodes, without a system of equations. */
   int (*accelerate)(void* host, double t, const double* u, const double* v, double* a);
-  /* Finds u such that F(t, u, v0 + cv u, a0 + ca u) = 0, from the given u, by the solver of the analysis.
-   * Returns NETLOFT_OK, or NETLOFT_OUTSIDE_DOMAIN if the solver failed; a shorter step may succeed. */
+  /* Finds the u for which F(t, u, v0 + cv u, a0 + ca u) = 0, starting from the given u, by the solver of the
+   * analysis. Returns NETLOFT_OK, or NETLOFT_OUTSIDE_DOMAIN if it failed; a shorter step may succeed. */
   int (*solve)(void* host, double t, const double* v0, double cv, const double* a0, double ca, double* u);
   /* Memory for `unknowns` numbers, the same for the same index during the whole integration. */
   double* (*scratch)(void* host, uint32_t index);

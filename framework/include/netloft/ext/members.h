@@ -16,8 +16,8 @@ extern "C" {
 /* Trait of a term whose force is that of the element's members, and nothing else. */
 #define NETLOFT_OF_MEMBERS (1u << 14)
 
-/* The chord is w = sum of c[i] x[i] over the nodes of the element, l = |w|, t = w/l, and the residual of node
- * i is
+/* The chord of a member is w = sum of c[i] x[i] over the nodes of the element, l = |w|, t = w/l. With the
+ * tension T, the residual of node i is
  *      number c[i] T t,   T = EA (l/l0 - 1) where l > l0, else EA_compression (l/l0 - 1)
  * The sum over the members of an element is its term with NETLOFT_OF_MEMBERS. */
 typedef struct netloft_member {

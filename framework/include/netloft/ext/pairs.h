@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
- * Elements on pairs of neighbouring elements, such as the bending of a rope or of netting. The host creates
- * them on every pair of neighbours of the element type that they name.
+ * Elements on pairs of neighbouring elements, such as the bending of a rope or of netting. Such an element
+ * names another type of elements; the host creates it on every pair of neighbours of that type.
  */
 #ifndef NETLOFT_EXT_PAIRS_H
 #define NETLOFT_EXT_PAIRS_H

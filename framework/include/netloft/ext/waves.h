@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * Waves. Their velocity is part of netloft_tile.current; this extension adds the acceleration and the surface
- * of the water. An element lists the identifier in its `inputs`; the place in a tile is null if there are no
- * waves.
+ * of the water. An element that reads them lists the identifier below in netloft_element.inputs; its place in
+ * netloft_tile.inputs is null if there are no waves.
  */
 #ifndef NETLOFT_EXT_WAVES_H
 #define NETLOFT_EXT_WAVES_H
