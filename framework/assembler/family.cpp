@@ -35,7 +35,7 @@ namespace {
 
 /// Calls a function of a plugin on a tile. The fields of the tile that the host reads afterwards are
 /// restored, whatever the plugin wrote there. Returns OK, OUTSIDE_DOMAIN or ERROR. In the last two cases, the
-/// memory for messages holds a sentence.
+/// message memory of the tile holds a sentence.
 template <class Function>
 int call_on_tile(const CallFrame& frame, netloft_tile& tile, Function&& function) {
   const std::uint32_t first = tile.first, count = tile.count;

@@ -105,8 +105,8 @@ netloft_tile Gatherer::make_tile(const ElementFamily& f, std::size_t tile, const
   return t;
 }
 
-/// Computes the velocity of the water at the nodes of a tile, whose positions have been gathered. A uniform
-/// current without waves is computed once for all tiles.
+/// Computes the velocity of the water at the nodes of a tile (64 elements), whose positions have been
+/// gathered. A uniform current without waves is computed once for all tiles.
 void Gatherer::gather_current(const Tiling& tiling, std::size_t tile, double time, TileInputs& w) const {
   if (current_.is_uniform() && !waves_) return fill_current(time, w);
   std::array<double, 3> velocity, dz;

@@ -15,8 +15,8 @@ namespace netloft {
 /// only. Vectors over all degrees of freedom (dofs) have the order of `numbering()`.
 class Placement {
  public:
-  /// `nodes` has the nodes of the scene followed by those of rotations and shared unknowns. `blocks` has the
-  /// node pairs that have matrix values.
+  /// `nodes` has the nodes of the scene, then those for the rotations of bodies and for unknowns that
+  /// elements share. `blocks` has the node pairs that have matrix values.
   Placement(const Scene& scene, const Scene& nodes, const NodeBlocks& blocks, bool symmetric);
 
   const Numbering& numbering() const { return numbering_; }

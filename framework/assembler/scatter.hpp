@@ -5,8 +5,9 @@
 
 namespace netloft {
 
-// Adds the sums of a tile to those of the scene: forces to vectors over all dofs [N], tangents to the values
-// of a matrix [N/m]. Moments on bodies are divided by the arm, because the unknowns of rotations are lengths.
+// Adds the sums of a tile (64 elements) to those of the scene: forces to vectors over all dofs [N], tangents
+// to the values of a matrix [N/m]. Moments on bodies are divided by the arm, because the unknowns of
+// rotations are lengths.
 
 /// Adds the forces of the tile without changing them, so that further terms can add to them.
 void scatter_gradient(const Tiling& tiling, std::size_t tile, TileSums& sums, double* gradient);

@@ -11,9 +11,9 @@
 
 namespace netloft {
 
-/// Rows of 64 numbers to which the terms of a tile add. The first term of a tile that opens rows sets them to
-/// zero in the lanes of the tile, unless the previous tile left them zero. Rows that no term opens cost
-/// nothing. Numbers that a term wrongly wrote beyond the last lane are cleared before they are used.
+/// Rows of 64 numbers to which the terms of a tile (64 elements) add. The first term that opens rows sets
+/// them to zero in the lanes of the tile, unless the previous tile left them zero. Rows that no term opens
+/// cost nothing. Numbers that a term wrongly wrote beyond the last lane are cleared before they are used.
 class TileRows {
  public:
   explicit TileRows(std::size_t rows) : all_(rows * kTileLanes) {}

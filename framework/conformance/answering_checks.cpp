@@ -68,7 +68,7 @@ States collapsed(const Bench& b, States s) {
 }
 
 /// States at rest: without motion, with the nodes of an element one length apart, on a line for pairs of bars
-/// and along the axes for other elements. Its description does not define rest more precisely.
+/// and along the axes for other elements. The description of an element does not define rest more precisely.
 States resting(const Bench& b, const States& like) {
   States s = b.blank(like.first, like.count);
   const bool straight = b.type.element.stencil == NETLOFT_BAR_PAIR;

@@ -317,8 +317,8 @@ enum class Starts { none, some, unknown };
 
 /// Whether `work` starts threads, however short-lived. Other programs start threads, too; therefore each try
 /// observes the work and then an equally long time without work. The answer is `none` at the first try in
-/// which no thread begins during the work. It is `some` if no such try came before kProof times without work
-/// had passed without a new thread, and `unknown` if other programs start threads all the time.
+/// which no thread begins during the work. Otherwise it is `some` once kProof of the times without work
+/// passed without a new thread. It is `unknown` if other programs start threads all the time.
 template <class Work>
 Starts threads_started_by(Work&& work) {
   using Clock = std::chrono::steady_clock;

@@ -30,11 +30,12 @@ class Cayley {
   bool is_damped() const { return motion_.is_damped; }
   /// The growth rate s that corresponds to an eigenvalue μ of A: the inverse of μ(s) in (4).
   std::complex<double> rate(std::complex<double> mu) const { return sigma_ * (mu - 1.0) / (mu + 1.0); }
-  /// Whether the rate |s| of an eigenvalue μ is below σ/10, so that a smaller σ has to find it. The reason:
-  /// for unit masses, w = σy and all frequencies ω ≪ σ, A is close to
+  /// Whether the rate |s| of an eigenvalue μ is below σ/10, so that a smaller shift σ has to find it. The
+  /// Ritz values of such slow motions are of no use: for unit masses, w = σy and all frequencies ω ≪ σ, A is
+  /// close to
   ///   (w, v) → (w + 2v, v − 2Kw/σ²),   μ = 1 ± 2iω/σ                                        (5a)
   /// whereas zᵀAz of unit vectors z ranges from 0 to 2. Ritz values may lie anywhere in that range, although
-  /// the error estimate (5) is small.
+  /// the error estimate (5) of growth.hpp is small.
   bool is_slow(std::complex<double> mu) const { return std::abs(rate(mu)) < sigma_ / kOff; }
   /// A vector with a component in every direction, the same on every machine.
   Eigen::VectorXd start() const;

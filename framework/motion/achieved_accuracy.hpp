@@ -54,8 +54,9 @@ struct AchievedAccuracy {
 /// Settings of the second march, with which a march is compared: `settings` with steps r times as long.
 MarchSettings settings_of_comparison(const MarchSettings& settings, bool is_bounded_by_stability);
 
-/// Limits of the second and the third march: `limits` with a tolerance of at most the relative displacement
-/// of disturb(). The errors of steps that are solved less accurately would hide the disturbance.
+/// Limits of the second and the third march (integration in time, see AchievedAccuracy): `limits`, but with a
+/// tolerance of at most the relative displacement of disturb(). Errors of steps that are solved less
+/// accurately would hide the disturbance.
 Limits limits_of_comparison(const Limits& limits);
 
 /// Settings of the third march, with which the second one is compared.
@@ -67,8 +68,8 @@ void disturb(MarchState& start, double element);
 void note_step_error(const StepControl& control, const Numbering& numbering, std::span<const double> error,
                      double t, MarchState& state);
 
-/// Evaluates (1) for the node positions of two marches at time t, and stores it if it exceeds the previous
-/// values. `longer` is r: the steps of the other march are r times as long.
+/// Evaluates (1) for the node positions of two marches (integrations in time) at time t, and stores it if it
+/// exceeds the previous values. `longer` is r: the steps of the other march are r times as long.
 void note_path_error(const std::vector<double>& here, const std::vector<double>& there, double t,
                      double longer, MarchState& state);
 

@@ -113,8 +113,8 @@ bool EnergyBudget::find_power(const Moment& m, double h, double& power) {
   return true;
 }
 
-/// Adds the work of winches, (7), in a step with mean forces, whose middle is at the time `middle`. This work
-/// is the part of the energy change that is not the work of the mean forces.
+/// Adds the work of winches, (7) of energy_budget.hpp, in a step with mean forces, whose middle is at the
+/// time `middle`. This work is the part of the energy change that is not the work of the mean forces.
 bool EnergyBudget::add_winches_of_means(double middle) {
   double early[2], late[2];
   if (!find_energies(now_.x, now_.t, early[0], false) || !find_energies(now_.x, next_.t, late[0], false) ||
@@ -143,8 +143,8 @@ bool EnergyBudget::add_ends() {
   return true;
 }
 
-/// Adds the work of all forces in a step with mean forces, (8). The rates of guided degrees of freedom (moved
-/// along given paths) are replaced by their displacements divided by the step length.
+/// Adds the work of all forces in a step with mean forces, (8) of energy_budget.hpp. The rates of guided
+/// degrees of freedom (moved along given paths) are replaced by displacement over step length.
 bool EnergyBudget::add_means(const MeanStep& mean, double kinetic_before) {
   state_.set(mean.t, mean.u, mean.v, mean.a);
   middle_ = state_.x();
@@ -238,8 +238,8 @@ bool EnergyBudget::restate(double t, std::span<const double> u, std::span<const 
   return find_forces(now_);
 }
 
-/// Evaluates r_M(0, v) of (4) at the moment m: the inertia force of turning bodies that have no acceleration.
-/// state_ must have been set to m.
+/// Evaluates r_M(0, v) of (4) in energy_budget.hpp at the moment m: the inertia force of turning bodies that
+/// have no acceleration. state_ must have been set to m.
 bool EnergyBudget::find_turning(Moment& m) {
   m.turning.clear();
   if (!assembler_.has_bodies()) return true;

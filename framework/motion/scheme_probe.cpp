@@ -71,8 +71,8 @@ double SchemeProbe::largest_force(const MarchState& at, std::span<const double> 
   return largest_of(force_);
 }
 
-/// The largest force that remains unbalanced at the velocities of the last step [N], by the first half of
-/// (1).
+/// The largest force that remains unbalanced at the velocities of the last step [N], by the first half of (1)
+/// in scheme_probe.hpp.
 double SchemeProbe::left_over(const MarchState& at, double h) {
   for (std::size_t i = 0; i < a_.size(); ++i) mean_a_[i] = a_[i] == 0 ? 0 : (next_v_[i] - at.v[i]) / h;
   return largest_force(at, mean_a_);

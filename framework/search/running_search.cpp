@@ -180,9 +180,9 @@ Solution RunningSearch::best() const {
   return s;
 }
 
-/// The best point with an explanation. If strategies call each other, only the outermost adds it. No
-/// explanation is added if a stage that was cut off already reports an exhausted budget or time limit. An
-/// interrupt that ended the strategy between stages is added to the status.
+/// The best point with an explanation, which only the outermost of nested strategies adds. No explanation is
+/// added if a stage that was cut off already reports an exhausted budget or time limit. An interrupt that
+/// ended the strategy between stages makes the status `interrupted`.
 Solution RunningSearch::explained() const {
   Solution s = best();
   if (is_stationary(s) && equilibria_.has_any()) return s;

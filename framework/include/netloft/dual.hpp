@@ -90,8 +90,8 @@ struct Dual {
   }
   friend Dual atan2(const Dual& y, const Dual& x) {
     const double square = x.value * x.value + y.value * y.value;
-    // The vector (x, y) in axes turned by the angle of its value is proportional to (ahead, turn). In these
-    // axes the value of its angle is zero, and the derivatives are those of the result.
+    // In axes along the value of the vector (x, y), the vector is proportional to (ahead, turn). Its angle
+    // there has the value zero and the derivatives of the result.
     const Dual turn = (x.value * y - y.value * x) / square;
     const Dual ahead = (x.value * x + y.value * y) / square;
     return std::atan2(y.value, x.value) + atan(turn / ahead);

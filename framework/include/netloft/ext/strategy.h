@@ -107,7 +107,7 @@ typedef struct netloft_members {
   /* Adds n c f to the residual for every member, with n = netloft_member.number, forces f[count][3] [N]. */
   int (*add_forces)(void* host, const double* f, double* residual);
   /* Sets the matrix: the tangent of the last evaluation + sum over members of n (c c^T) x K, a Kronecker
-   * product with n = netloft_member.number, its coefficients c and K[count][9], symmetric [N/m]. */
+   * product, with n and c of a member (netloft_member.number and .c) and K[count][9], symmetric [N/m]. */
   int (*set_matrix)(void* host, const double* K);
   /* Sets the matrix as above for K = a t t^T + b I, and adds n c f t to the residual for every member, with
    * lines[count][6] = (t, f, a, b): unit vector, tension [N], a and b [N/m]. */
