@@ -62,7 +62,8 @@ Scene with_global_nodes(const Scene& scene, std::span<const std::unique_ptr<Elem
 
 }  // namespace
 
-/// The families of a scene, with all nodes that they use and the blocks of matrix values.
+/// The families of a scene (all elements of one type each), with all nodes that they use and the blocks of
+/// matrix values.
 struct Assembler::Elements {
   Elements(const Scene& scene, const ScenePlan& plan)
       : families(make_families(scene, plan)),

@@ -16,7 +16,8 @@ bool remembers(const ElementFamily& family, bool ground_passes) {
   });
 }
 
-/// Lets the terms of one family that have a memory write their next state.
+/// Calls those terms of a family (all elements of one type) that have a memory, so that they write what the
+/// elements shall remember.
 bool remember_family(TileEvaluator& elements, std::size_t family, std::span<const double> x,
                      const Kinematics& motion) {
   const ElementFamily& f = *elements.tiles().families[family];

@@ -46,7 +46,8 @@ struct MemberOfStep {
   bool grows() const { return before.rest_length != after.rest_length; }
 };
 
-/// Mean tension T̄, mean stiffness k, and the stretch s with its derivative with respect to l₁.
+/// Mean tension T̄, mean stiffness k, and stretch s in a step (mean_of_members.hpp), with the derivative of s
+/// by l₁.
 struct MeanOfMember {
   MeanTension tension;
   MeanStiffness stiffness;

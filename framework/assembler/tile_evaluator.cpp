@@ -10,7 +10,7 @@ namespace netloft {
 
 namespace {
 
-// With fewer tiles of one colour than this, threads cost more than they save (bench_assembly).
+// With fewer tiles of one colour (tiling.hpp) than this, threads cost more than they save (bench_assembly).
 constexpr std::size_t kSerialBelow = 8;
 
 }  // namespace

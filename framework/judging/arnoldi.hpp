@@ -15,7 +15,7 @@ struct RitzPair {
   Eigen::VectorXcd vector = {};
 
   double beyond() const { return std::abs(theta) - 1; }
-  /// Whether the estimated error of θ is small enough to trust |θ| > 1: (5).
+  /// Whether the estimated error of θ is small enough to trust |θ| > 1, by (5) of growth.hpp.
   bool is_known() const;
 };
 

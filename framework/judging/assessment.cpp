@@ -44,7 +44,7 @@ bool no_step_helps(const Assessment& a, StaticProblem& problem, std::vector<doub
          problem.balance(x, residual).residual > a.balance.residual;
 }
 
-/// Estimates the distance of u from the equilibrium, with the factor of the stability check if there is one.
+/// Estimates the distance of u from the equilibrium. Uses the factor of the stability check if there is one.
 void find_correction(Assessment& a, StaticProblem& problem, const AssembledScene& scene,
                      std::vector<double> u) {
   std::vector<double> step(u.size());

@@ -12,7 +12,7 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-// Rounding error of K in (7), relative to its entries.
+// Rounding error of K in (7) of cayley.hpp, relative to its entries.
 constexpr double kRoundingOfK = 10 * std::numeric_limits<double>::epsilon();
 
 /// Copies the non-zero values of a matrix.

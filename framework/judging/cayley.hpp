@@ -28,7 +28,7 @@ class Cayley {
   /// Returns B z, where zᵀ B z is the square of the norm (8).
   Eigen::VectorXd weighed(const Eigen::VectorXd& z) const;
   bool is_damped() const { return motion_.is_damped; }
-  /// The growth rate s that corresponds to an eigenvalue μ of A: the inverse of μ(s) in (4).
+  /// The growth rate s that corresponds to an eigenvalue μ of A: the inverse of μ(s) in (4) of growth.hpp.
   std::complex<double> rate(std::complex<double> mu) const { return sigma_ * (mu - 1.0) / (mu + 1.0); }
   /// Whether the rate |s| of an eigenvalue μ is below σ/10, so that a smaller shift σ has to find it. The
   /// Ritz values of such slow motions are of no use: for unit masses, w = σy and all frequencies ω ≪ σ, A is

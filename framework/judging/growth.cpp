@@ -30,7 +30,7 @@ constexpr double kLeastCosine =
 using Vector = Eigen::VectorXd;
 using Complex = std::complex<double>;
 
-/// A vector that is multiplied by A again and again and scaled to length 1.
+/// A vector that is multiplied repeatedly by the operator A (cayley.hpp) and scaled to length 1.
 class Powers {
  public:
   Powers(Cayley& A) : A_(A), z_(A.start()) {}
@@ -78,7 +78,7 @@ void take_mode(const Eigen::VectorXcd& y, Growth& g) {
 Growth growth_of(const RitzPair& pair, const Cayley& A) {
   const Complex s = A.rate(pair.theta);
   const Eigen::VectorXcd y = pair.vector.head(A.unknowns()).normalized();
-  // Powers of A grew, but the motion with this eigenvalue does not grow.
+  // Powers of A grew, although the motion of this eigenvalue does not.
   if (!(s.real() > 0)) return {.verdict = GrowthVerdict::marginal};
   Growth g{.verdict = GrowthVerdict::grows};
   const double c = std::min(1.0, s.real() / std::abs(s));

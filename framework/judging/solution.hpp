@@ -4,7 +4,7 @@
 
 namespace netloft {
 
-/// Another equilibrium of the gear that was found and is not unstable.
+/// An equilibrium of the gear, other than the solution, that was found and is not unstable.
 struct OtherShape {
   double energy = 0;           // [J]
   double distance = 0;         // largest distance of a node from its position in the solution [m]

@@ -187,7 +187,7 @@ void EnergyBudget::place(double t, std::span<const double> u, std::span<const do
   to.v = state_.v();
 }
 
-/// Adds the works (5) of drag, damping and friction in a step.
+/// Adds the works of drag, damping and friction in a step, (5) of energy_budget.hpp.
 bool EnergyBudget::add_works() {
   const double h = next_.t - now_.t;
   middle_.resize(now_.x.size());

@@ -21,7 +21,8 @@ class EnergyWatch {
   /// `makes_short_steps`: whether stability requires short steps.
   EnergyWatch(Assembler& assembler, const MarchSettings& settings, bool makes_short_steps);
 
-  /// Begins at a state; `negligible` is W [J]. Returns false if an element failed, see Assembler::fault.
+  /// Begins at a state; `negligible` is W of (1) [J]. Returns false if an element failed, see
+  /// Assembler::fault.
   bool begin(const MarchState& from, double negligible);
   /// Whether the energy of the next step will be examined.
   bool watches_step_after(const MarchState& state) const;

@@ -16,7 +16,7 @@ namespace {
 
 // The tolerance of the search for the start may leave unbalanced forces up to this fraction of the load.
 constexpr double kDrives = 1e-3;
-// Distances of fewer rounding errors of the largest displacement than this count as rounding.
+// Distances below this many rounding errors of the largest displacement count as rounding errors.
 constexpr double kRoundings = 1e4;
 constexpr double kShortest = 1e-7;  // shortest step, relative to that of the march
 

@@ -100,7 +100,7 @@ int TransientProblem::start(double t, std::span<const double> u, std::span<const
   return status;
 }
 
-/// Solves M a = −F(t, u, v, 0) for the acceleration a, in which F is linear.
+/// Solves M a = −F(t, u, v, 0) for the acceleration a. F is linear in a, with the mass matrix M.
 int TransientProblem::accelerate_at(double t, std::span<const double> u, std::span<const double> v,
                                     std::span<double> a, bool massless_rest) {
   state_.set(t, u, v, zero_);

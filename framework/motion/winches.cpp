@@ -114,7 +114,7 @@ void Winches::begin(double t, double h) {
   write();
 }
 
-/// The speed w of a winch at a tension, by (2).
+/// The speed w of a winch at a tension, by (2) of winches.hpp.
 double Winches::speed_at(std::size_t k, double tension) const {
   const WinchStage& stage = *ropes_[k].stage;
   const double e = tension - ropes_[k].wanted, beyond = std::max(std::abs(e) - stage.dead_band, 0.0);
@@ -124,7 +124,7 @@ double Winches::speed_at(std::size_t k, double tension) const {
 /// The error that the tension in an attempt may have [N].
 double Winches::doubt(std::size_t k) const { return tolerance_ * std::max(ropes_[k].wanted, ropes_[k].T); }
 
-/// Whether the speeds satisfy (2), as accurately as the forces of a step are known.
+/// Whether the speeds satisfy (2) of winches.hpp, as accurately as the forces of a step are known.
 bool Winches::is_settled() const {
   for (const std::size_t k : holding_) {
     const WinchStage& stage = *ropes_[k].stage;
@@ -169,10 +169,11 @@ void Winches::take(std::span<const double> tensions) {
   }
 }
 
-/// Updates S by Broyden's formula, from changes of speeds and tensions between the last attempt and this one.
+/// Updates S of (3) in winches.hpp by Broyden's formula, from the changes of speeds and tensions since the
+/// last attempt.
 void Winches::improve_slopes(std::span<const double> tensions) {
   if (slopes_.empty() || last_w_.empty()) return;
-  // Squared change of speeds; largest ratio of a tension's change to its error.
+  // Squared change of the speeds; largest ratio of the expected change of a tension to its possible error.
   double square = 0, largest = 0;
   for (const std::size_t j : holding_) {
     const double change = ropes_[j].w - last_w_[j];
@@ -212,7 +213,7 @@ Winches::Verdict Winches::measure_slopes(std::span<const double> tensions) {
   return Verdict::again;
 }
 
-/// Solves (2) for the speeds of all winches, winch by winch, with tensions T̄ from (3).
+/// Solves (2) of winches.hpp for the speeds of all winches, winch by winch, with tensions T̄ from (3).
 void Winches::solve_all() {
   std::vector<double> w = last_w_;
   for (int sweep = 0; sweep < kSweeps; ++sweep)

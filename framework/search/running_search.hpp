@@ -16,7 +16,8 @@ namespace netloft {
 /// total work. The budget is expressed in Newton iterations of its scene.
 class RunningSearch {
  public:
-  /// `tolerance` is the tolerance for its scene; `work` is in Newton iterations of the original scene.
+  /// `tolerance` is the tolerance for the scene of the strategy; `work` is in Newton iterations of the
+  /// original scene.
   RunningSearch(SearchHost& host, const netloft_variant& scene, double tolerance, double work,
                 const double* start);
   RunningSearch(const RunningSearch&) = delete;

@@ -70,7 +70,7 @@ struct Interval {
   double length = 1;
   T s = T(0);
 
-  // Hermite's cubics: values at both ends, slopes at both ends.
+  // Hermite's cubic polynomials: the factors of the values at both ends, then those of the slopes.
   T f0() const { return (1.0 + 2.0 * s) * (1.0 - s) * (1.0 - s); }
   T f1() const { return s * s * (3.0 - 2.0 * s); }
   T m0() const { return length * s * (1.0 - s) * (1.0 - s); }

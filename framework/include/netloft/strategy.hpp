@@ -56,7 +56,7 @@ struct Variant {
 /// matter, because the difference between the easier problem and the scene is larger.
 inline constexpr double kOnlyAStart = kMatters;
 
-/// The task of one stage: a variant, its solver, the tolerance and the budget.
+/// The task of one stage (one solve): a variant, its solver, the tolerance and the budget.
 struct Ask {
   const char* name = "";  // purpose of the stage in a few words, for the report
   Variant variant{};
@@ -91,7 +91,7 @@ inline Specification specification_of(const std::string& word) {
   return s;
 }
 
-/// The end of a stage and the host's judgement of it.
+/// The end of a stage (one solve of one variant), and the host's judgement of it.
 struct Stage {
   Displacements u;
   Ending ending = Ending::not_converged;
