@@ -238,8 +238,8 @@ void Bodies::hand_on_masses(std::span<const double> x, std::span<double> blocks,
 
 bool Bodies::shorten(std::span<const double> start, std::span<double> u, std::span<double> v,
                      std::span<double> a) const {
-  // ¾ of a turn is half-way between half a turn, which is enough for every rotation, and a whole turn, at
-  // which the rate of the rotation vector does not follow from the spin.
+  // The limit is ¾ of a turn, half-way between half a turn and a whole one. Half a turn is enough for every
+  // rotation; at a whole turn, the rate of the rotation vector does not follow from the spin.
   constexpr double kLongest = 4.71238898038469;
   bool some = false;
   for (const Body& body : bodies_) {

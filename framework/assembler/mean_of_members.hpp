@@ -10,12 +10,13 @@ namespace netloft {
 //   ∂f/∂w₁ = T̄' d t₁ᵀ + T̄ (1 − d t₁ᵀ)/(l₀ + l₁),  t₁ = w₁/l₁                                      (2)
 // The work of f is exactly the decrease of the energy, for any step length h, and also if the member becomes
 // slack or taut. The forces on an element have no resultant force and no resultant moment. Damping, with the
-// factor χ, acts on the difference between the rate of stretch and its remembered value m, which follows the
-// rate by the fraction ν per step, so that slow motion is not damped:
+// factor χ, acts on the difference between the rate of stretch and its remembered value m. Slow motion is not
+// damped, because m follows the rate by the fraction ν per step:
 //   T̄ ← T̄ + χ/2 k (s − h m),  m ← m + ν (s/h − m),  s = l₁ − l₀                                    (3)
 // If a member is slack at an end of the step, m is zero afterwards: a remembered rate would add energy when
-// the member becomes taut. If the rest length changes from L₀ to L₁, T̄ is the mean over the strain, and the
-// change of the energy ψ is exactly (5), with λ = l/L, ψ = L φ(λ) and the means L̄ = ½ (L₀ + L₁), λ̄, φ̄:
+// the member becomes taut. If the rest length changes from L₀ to L₁, T̄ is the mean (4) over the strain, and
+// (5) is exactly the change of the energy ψ. Here, λ = l/L and ψ = L φ(λ), and bars denote means, such as L̄
+// = ½ (L₀ + L₁):
 //   T̄ = (φ(λ₁) − φ(λ₀))/(λ₁ − λ₀),  s = L̄ (λ₁ − λ₀)                                              (4)
 //   ψ(l₁, L₁) − ψ(l₀, L₀) = T̄ (l₁ − l₀) + (φ̄ − T̄ λ̄)(L₁ − L₀)                                     (5)
 // The second part of (5) is the work of the winch. Sources: J. C. Simo and N. Tarnow, "The discrete

@@ -34,8 +34,8 @@ class Placement {
   /// Computes the rates over all dofs at positions x from those of the unknowns and of the guides.
   void move(double time, std::span<const double> x, std::span<const double> v, std::span<const double> a,
             std::span<double> all_v, std::span<double> all_a) const;
-  /// Replaces rotation vectors longer than ¾ of a turn by the shorter vectors of the same rotations, in
-  /// displacements u of the unknowns and in their rates, which may be empty. Call this between two solutions
+  /// Replaces rotation vectors longer than ¾ of a turn by the shorter vectors of the same rotations. Changes
+  /// displacements u of the unknowns and their rates, which may be empty. Call this between two solutions
   /// only, because a solver compares displacements with earlier ones. Returns whether any vector was
   /// replaced.
   bool shorten_rotations(std::span<double> u, std::span<double> v = {}, std::span<double> a = {}) const;

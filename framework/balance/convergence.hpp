@@ -37,10 +37,10 @@ Convergence convergence_of(const Imbalance& i, double tolerance);
 bool may_stop(Convergence c, double residual, double residual_before);
 
 /// Whether to accept a residual that no step reduces, because twines alternate between slack and taut. The
-/// point counts as converged to round-off if this function returns true, the solver has given up, the tangent
-/// of an energy is positive definite, and a full Newton step raises the residual (`no_step_helps` in
-/// assessment.cpp checks the last two). The function requires (3), r ≤ β F and (5), where g is the energy
-/// that a Newton step would gain and L the size of the gear:
+/// point counts as converged to round-off if the solver has given up and this function returns true. In
+/// addition, the tangent of an energy must be positive definite, and a full Newton step must raise the
+/// residual (`no_step_helps` in assessment.cpp). The function requires (3), r ≤ β F and (5), where g is the
+/// energy that a Newton step would gain and L the size of the gear:
 ///   g ≤ ε₀ F L,   ε₀ = kTolerance                                                         (5)
 /// With g ≈ ½ r δ, the error of the positions is δ ≈ 2e-7 L at r = β F. A smaller r allows a larger error, up
 /// to √(2 ε₀) L at a stiffness of F/L.

@@ -9,8 +9,8 @@
 
 namespace netloft {
 
-/// Calls visit(node, norm, first, last) for each node, with the norm of the node's entries first … last - 1,
-/// in the range begin … end - 1 of a vector over all dofs. Entries of one node are contiguous.
+/// Calls visit(node, norm, first, last) for each node that has entries in the range begin … end - 1 of a
+/// vector over all dofs. The entries of a node are first … last - 1, and `norm` is their norm.
 template <class Visit>
 void for_nodes(const Numbering& numbering, std::int32_t begin, std::int32_t end, std::span<const double> v,
                Visit&& visit) {

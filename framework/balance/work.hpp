@@ -43,10 +43,11 @@ struct WorkModel {
 /// factorisations, and 4.5 for the other operations.
 ///
 /// `unit` is (1) of the scene itself. If the factorisation does not report F before its first use, F and N
-/// are those of nested dissection of a square grid of n nodes with three unknowns each: 31/4 n log₂ n and
-/// 829/84 n^(3/2) for a symmetric matrix of numbers, twice as many for an unsymmetric one (A. George, Nested
-/// dissection of a regular finite element mesh, SIAM J. Numer. Anal. 10, 1973). A `make` that caches analyses
-/// reuses this analysis in the solver.
+/// are those of nested dissection of a square grid of n nodes with three unknowns each. With one unknown per
+/// node, a symmetric matrix has 31/4 n log₂ n entries and takes 829/84 n^(3/2) multiplications, and an
+/// unsymmetric one twice as many (A. George, Nested dissection of a regular finite element mesh, SIAM J.
+/// Numer. Anal. 10, 1973); three unknowns per node take 9 times as many entries and 27 times as many
+/// multiplications. A `make` that caches analyses reuses this analysis in the solver.
 WorkModel make_work_model(const Assembler& assembler, const MakeFactorisation& make);
 
 }  // namespace netloft

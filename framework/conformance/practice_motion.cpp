@@ -120,7 +120,7 @@ double PracticeMotion::energy() const {
 
 bool PracticeMotion::is_finite() const { return all_finite(u) && all_finite(v) && all_finite(a); }
 
-/// Returns F of (1).
+/// Returns F of (1) in practice_motion.hpp.
 double PracticeMotion::force(std::size_t i, double time, double u_i, double v_i, double a_i) const {
   const double w = omega(i);
   return kMass * (a_i + 2 * like_.damping * w * v_i + w * w * u_i - like_.push * time);

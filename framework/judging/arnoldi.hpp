@@ -29,7 +29,7 @@ class Arnoldi {
   void extend(Eigen::Index steps);
   /// The Ritz pair that decides the verdict. Candidates are the accurate pairs (is_known) that lie beyond the
   /// unit circle by more than `beyond`. Candidates whose rate s has |Im s| ≤ Re s (slower oscillation than
-  /// growth) precede the others, and the outermost is returned. Without candidates, the outermost of all
+  /// growth) precede the others; the outermost of them is returned. Without candidates, the outermost of all
   /// pairs is returned. Pairs that are slow for A (Cayley::is_slow) are ignored. The returned `theta` is NaN
   /// if A or its eigenvalues could not be computed.
   RitzPair outermost(double beyond) const;

@@ -90,8 +90,8 @@ void EnergyBudget::retract() {
 
 /// Adds the work of winches in a step, (7) of energy_budget.hpp, from the power ∂E/∂t at both ends of the
 /// step, each at constant positions. The change of E over the whole step at constant positions would be
-/// wrong: it would stretch elements by all the rope that is hauled in during the step, which is many times
-/// the actual strain of a stiff rope, and E rises with the square of the strain.
+/// wrong: it would stretch elements by all the rope that is hauled in during the step. This is many times the
+/// actual strain of a stiff rope, and E rises with the square of the strain.
 bool EnergyBudget::add_winches(const MeanStep* mean) {
   if (mean) return add_winches_of_means(mean->t);
   const double h = next_.t - now_.t;
@@ -219,8 +219,8 @@ void EnergyBudget::find_mean_rates() {
   }
 }
 
-/// Adds the energy (4) that added mass takes in a step. For the second term of (4), M v is evaluated at the
-/// mean velocity of the step, with the masses at its end and with those at its start.
+/// Adds the energy that added mass takes in a step, (4) of energy_budget.hpp. For the second term of (4), M v
+/// is evaluated at the mean velocity of the step, with the masses at its end and with those at its start.
 bool EnergyBudget::find_entrained() {
   find_mean_rates();
   Kinematics as_rates;
@@ -294,8 +294,8 @@ bool EnergyBudget::sum_force(const Account& account, const std::vector<double>& 
   return true;
 }
 
-/// Work from the state now_ to the state next_ by the trapezoidal rule, with the forces `before` at now_ and
-/// `after` at next_, summed over the degrees of freedom from index `from` on.
+/// Work from the state now_ to the state next_ by the trapezoidal rule. `before` and `after` are the forces
+/// at now_ and at next_. Degrees of freedom before the index `from` do not count.
 double EnergyBudget::done(const std::vector<double>& before, const std::vector<double>& after,
                           std::size_t from) const {
   double sum = 0;

@@ -78,7 +78,8 @@ double SchemeProbe::left_over(const MarchState& at, double h) {
   return largest_force(at, mean_a_);
 }
 
-/// The length of the last step along v: (u_new − u)·v as a fraction of its limit h v·v in (1).
+/// The length of the last step along v: (u_new − u)·v as a fraction of its limit h v·v in (1) of
+/// scheme_probe.hpp.
 double SchemeProbe::moved(const MarchState& at, double h) const {
   double went = 0, due = 0;
   for (std::size_t i = 0; i < a_.size(); ++i) {

@@ -13,9 +13,9 @@ namespace {
 /// members failed at 0.9; the chain created energy at 0.67 and none at 0.45.
 constexpr double kFractionOfLimit = 0.6;
 /// The accuracy a of (2) in step_control.hpp. Most scenes set this accuracy or a larger one, so that (2)
-/// leaves their steps unchanged. With p = 3, the order of the schemes, the errors of a ball caught by a rope
-/// and of a net hit by a gust were proportional to the powers 0.5 and 0.8 of the accuracy; with p = 2, to the
-/// powers 1.1 and 1.3.
+/// leaves their steps unchanged. The errors of a ball caught by a rope and of a net hit by a gust were
+/// proportional to powers of the accuracy: 0.5 and 0.8 with p = 3, the order of the schemes; 1.1 and 1.3 with
+/// p = 2.
 constexpr double kProportional = 1e-2;
 /// Number of steps after which the stable step is determined from the tangent again. In that time, a wave
 /// crosses at most 64 elements, and an object at a hundredth of the wave speed less than one. The examination

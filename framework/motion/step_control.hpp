@@ -7,9 +7,9 @@
 
 namespace netloft {
 
-/// Lengths of the steps of a march (an integration in time), by the error of each step and, if the scheme is
-/// stable for short steps only, by stability. A step is rejected if its estimated error exceeds the allowed
-/// error, and the next length is
+/// Chooses the lengths of the steps of a march (an integration in time) from the error of each step and, if
+/// the scheme is stable for short steps only, from its stability. A step is rejected if its estimated error
+/// exceeds the allowed error, and the next length is
 ///   h ← h · 0.9 (allowed/error)^(1/order), within [1/5, 2] h                               (1)
 /// If the error of a step is O(h^p), the sum of errors over a path is proportional to the power (p − 1)/p of
 /// the error allowed for a step. Accuracies below a = 1e-2 therefore need

@@ -7,8 +7,8 @@ namespace netloft {
 /// Chooses among the equilibria that a strategy reports. Converged equilibria precede unstable ones. If every
 /// force has an energy, the converged equilibrium of least energy is chosen, otherwise the first one. Two
 /// equilibria count as the same shape if the positions of each node differ by at most 1e-5 of the size of the
-/// gear, or if both are neutral with equal energies: then a motion without any force leads from one to the
-/// other.
+/// gear. They also do if both are neutral with equal energies, because a motion without any force then leads
+/// from one to the other.
 class EquilibriumChoice {
  public:
   /// `gear_size` [m]; `has_energy`: whether every force has an energy.

@@ -82,7 +82,7 @@ std::array<Vec3<T>, 3> turned_axes(const Vec3<T>& psi) {
           rotated(psi, Vec3<T>{T(0), T(0), T(1)})};
 }
 
-/// Returns the spin ω at the rate ψ̇ (2).
+/// Returns the spin ω of a rotation vector ψ at its rate ψ̇, by (2) above.
 template <class T>
 Vec3<T> spin_of(const Vec3<T>& psi, const Vec3<T>& rate) {
   const auto f = detail::rotation_factors<T>(dot(psi, psi));
@@ -90,7 +90,7 @@ Vec3<T> spin_of(const Vec3<T>& psi, const Vec3<T>& rate) {
   return rate + f.b * once + f.c * cross(psi, once);
 }
 
-/// Returns the angular acceleration α at the rates ψ̇ and ψ̈ (3).
+/// Returns the angular acceleration α of a rotation vector ψ at its rates ψ̇ and ψ̈, by (3) above.
 template <class T>
 Vec3<T> spin_rate_of(const Vec3<T>& psi, const Vec3<T>& rate, const Vec3<T>& second) {
   const auto f = detail::rotation_factors<T>(dot(psi, psi));
@@ -100,7 +100,8 @@ Vec3<T> spin_rate_of(const Vec3<T>& psi, const Vec3<T>& rate, const Vec3<T>& sec
          (f.dc * ds) * cross(psi, once) + f.c * cross(rate, once);
 }
 
-/// Returns Tᵀm (4), the generalised force that does the work of the moment m on ψ.
+/// Returns Tᵀm by (4) above: the generalised force that does the work of the moment m on the rotation vector
+/// ψ.
 template <class T>
 Vec3<T> moment_on_vector(const Vec3<T>& psi, const Vec3<T>& moment) {
   const auto f = detail::rotation_factors<T>(dot(psi, psi));

@@ -39,16 +39,15 @@ typedef struct netloft_motion {
   uint32_t message_size;
   uint32_t reserved;
 
-  /* Finds u at t + h such that the mean forces of the step from the u at t are in balance, where
+  /* Finds the u at t + h for which the mean forces of the step balance. The step begins at the u at t;
    *    v = v0 + cv u and a = a0 + ca u
-   * are the rates in the middle of the step. The mean force is F at the midpoint between both ends. For
-   * forces with an energy, a correction is added: the work of the mean force over the step is then exactly
-   * the decrease of the energy. The correction has no resultant force or moment if the force at the midpoint
-   * has none. In addition, members (ext/members.h) of stiffness k resist the change Dl of their length in the
-   * step by the tension
-   *    T = damping/2 k (Dl - h m),  m <- m + memory (Dl/h - m) once the step is accepted
-   * where m is the rate of stretch that the host remembers for each member [m/s]. It is zero after a step at
-   * one end of which the member was slack. Returns the same as `solve`. */
+   * are the rates in its middle. The mean force is F at the midpoint between both ends. For forces with an
+   * energy, a correction is added: the work of the mean force over the step is then exactly the decrease of
+   * the energy. The correction has no resultant force or moment if the force at the midpoint has none. In
+   * addition, a member (ext/members.h) of stiffness k resists the change Dl of its length in the step by the
+   * tension T. The host remembers a rate of stretch m of each member [m/s] and updates it after the step:
+   *    T = damping/2 k (Dl - h m),   m <- m + memory (Dl/h - m)
+   * m is zero after a step at one end of which the member was slack. Returns the same as `solve`. */
   int (*solve_between)(void* host, const double* v0, double cv, const double* a0, double ca, double damping,
                        double memory, double* u);
 } netloft_motion;
