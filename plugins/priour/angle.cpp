@@ -20,7 +20,8 @@ Meshes::Meshes(const Triangle::Lanes& p, netloft_tile& tile) : u(tile, p.a, p.l0
 
 namespace {
 
-/// E_UU, E_VV (six numbers each, axial::kPlace) and E_UV (nine) of every element.
+/// The second derivatives E_UU, E_VV (six numbers each, in the order of axial::kPlace) and E_UV (nine
+/// numbers) of every element, by (4) and (5) of angle.hpp.
 struct Curvature {
   double uu[6][kLanes], vv[6][kLanes], uv[9][kLanes];
 };
@@ -38,7 +39,7 @@ void add_force(const Triangle::Lanes& p, const Meshes& m, const Function& f, std
   }
 }
 
-/// Fills in ∂²E/∂U² or, alike, ∂²E/∂V² by (4) of angle.hpp, for the twines `own`.
+/// Fills in ∂²E/∂U² by (4) of angle.hpp, or ∂²E/∂V² if `own` are the twines along V.
 void fill_own(const Twines& own, const Twines& other, const Meshes& m, const Function& f, double cu,
               std::uint32_t count, double (&__restrict out)[6][kLanes]) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -67,7 +68,7 @@ void fill_mixed(const Meshes& m, const Function& f, double cu, std::uint32_t cou
   }
 }
 
-/// Adds weight · y yᵀ with y = (U, V).
+/// Adds weight · y yᵀ to the second derivatives, where the vector y of six numbers consists of U and V.
 void add_square(double weight, const Vec3<double>& U, const Vec3<double>& V, std::size_t i, Curvature& k) {
   for (int r = 0, n = 0; r < 3; ++r) {
     for (int s = 0; s <= r; ++s, ++n) {
@@ -98,7 +99,8 @@ void fill_convex(const Meshes& m, const Function& f, double cu, std::uint32_t co
     const Vec3<double> u{m.u.t[0][i], m.u.t[1][i], m.u.t[2][i]}, v{m.v.t[0][i], m.v.t[1][i], m.v.t[2][i]};
     const Vec3<double> fu = across(u, v), w = cross(u, fu), fv = cross(w, v);
     const double iu = m.u.inverse[i], iv = m.v.inverse[i], lambda = h2 > 0 ? h2 + rho : h1 * h1 / (rho - h2);
-    // The eigenvector (σ, μ) = (λ, −h′) of the eigenvalue λ has the squared length 2λρ: its weight is 1/2ρ.
+    // The eigenvector (σ, μ) = (λ, −h′) of the eigenvalue λ = h″ + ρ has the squared length 2λρ, so that its
+    // weight λ/(2λρ) is 1/(2ρ).
     add_square(0.25 / rho, iu * (-h1 * u - lambda * fu), iv * (-h1 * v + lambda * fv), i, k);
     const double sign = h1 > 0 ? 1 : -1;  // the eigenvector in (τ, κ) of (9)
     add_square(0.25 * std::abs(h1), iu * (fu + sign * u), iv * (fv - sign * v), i, k);

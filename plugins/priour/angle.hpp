@@ -4,26 +4,30 @@
 
 namespace netloft::priour {
 
-/// An energy E(c) of the angle 2α between the twines of a mesh, as a function of its cosine. It needs no
-/// normal of the netting, and a function that is smooth in c is also smooth for closed meshes.
+/// An energy E(c) [J] that depends only on the angle 2α between the twines of a mesh, through its cosine c.
+/// Such an energy needs no normal of the netting, and if E is smooth in c, it is also smooth for closed
+/// meshes. U and V [m] are the vectors of one bar in each twine direction, a_p and b_p [1] their derivatives
+/// with respect to the position x_p of corner p (triangle.hpp (1)–(3)), Û and V̂ unit vectors; E′ and E″ are
+/// derivatives with respect to c.
 ///   c = Û·V̂ = cos 2α,  s = |Û×V̂| = sin 2α                                                      (1)
 ///   p = V̂ − cÛ,  q = Û − cV̂;  ∂c/∂U = p/‖U‖,  ∂c/∂V = q/‖V‖                                     (2)
 ///   r_p = E′ (a_p p/‖U‖ + b_p q/‖V‖)                                     residual ∂E/∂x_p         (3)
-///   ∂²E/∂U² = [E″ ppᵀ − E′ (pÛᵀ + Ûpᵀ + c (I − ÛÛᵀ))]/‖U‖²               V alike, with q         (4)
-///   ∂²E/∂U∂V = [E″ pqᵀ + E′ (I − ÛÛᵀ − V̂V̂ᵀ + c ÛV̂ᵀ)]/(‖U‖‖V‖)                                    (5)
-///   K_pq = a_p a_q E_UU + b_p b_q E_VV + a_p b_q E_UV + b_p a_q E_UVᵀ                             (6)
-/// U, V, a, b by triangle (1)–(3).
+///   E_UU = ∂²E/∂U² = [E″ ppᵀ − E′ (pÛᵀ + Ûpᵀ + c (I − ÛÛᵀ))]/‖U‖²        E_VV with V̂, q for Û, p  (4)
+///   E_UV = ∂²E/∂U∂V = [E″ pqᵀ + E′ (I − ÛÛᵀ − V̂V̂ᵀ + c ÛV̂ᵀ)]/(‖U‖‖V‖)                             (5)
+///   K_pq = a_p a_q E_UU + b_p b_q E_VV + a_p b_q E_UV + b_p a_q E_UVᵀ    tangent ∂²E/∂x_p∂x_q     (6)
 ///
-/// Convex part, in closed form. Changes of U and V, divided by ‖U‖ and ‖V‖, have the components r along the
-/// twine, φ across it in the plane of the twines (positive from Û to V̂) and w along the normal. With h′ =
-/// −s E′ and h″ = s²E″ − cE′, the derivatives of E with respect to 2α, the second differential of E is
+/// The convex part of the tangent has a closed form. Let the relative changes δU/‖U‖ and δV/‖V‖ have the
+/// components r along the twine, φ across the twine in the plane of both twines (positive from Û to V̂) and w
+/// along the normal of that plane, with the subscripts u and v. h′ = −s E′ and h″ = s²E″ − cE′ are the
+/// derivatives of E with respect to the angle 2α. The second differential of E is the sum of
 ///   h″(φ_v−φ_u)² + 2h′(r_u φ_u − r_v φ_v)                        in the plane                      (7)
 ///   −E′ (c w_u² − 2 w_u w_v + c w_v²)                            out of the plane                  (8)
-/// (7) is 2h″σ² − 2h′(μσ + κτ) in σ, τ = (φ_v ∓ φ_u)/√2 and μ, κ = (r_v ± r_u)/√2, two 2×2 matrices; (8) is a
-/// third, with the eigenvectors (1, ±1)/√2. Each has one eigenvalue ≥ 0; together they make the convex part:
-///   h″ + ρ, ρ = √(h″²+h′²), of (σ, μ) ~ (h″+ρ, −h′);  |h′| of (τ, κ) ~ (1, −sgn h′);
-///   −E′(1+c) of w_u = −w_v or E′(1−c) of w_u = w_v                                                (9)
-/// There is no metric, a constant upper bound of the stiffness, because 1/‖U‖² has no bound.
+/// With σ, τ = (φ_v ∓ φ_u)/√2 and μ, κ = (r_v ± r_u)/√2, (7) becomes 2h″σ² − 2h′(μσ + κτ): a 2×2 matrix for
+/// (σ, μ) and one for (τ, κ). (8) is a third matrix, with the eigenvectors (1, ±1)/√2. Each matrix has one
+/// eigenvalue ≥ 0; these eigenvalues and their eigenvectors make the convex part:
+///   h″ + ρ of (σ, μ) ∝ (h″+ρ, −h′), ρ = √(h″²+h′²);   |h′| of (τ, κ) ∝ (1, −sgn h′);
+///   −E′(1+c) of w_u = −w_v if E′ < 0, else E′(1−c) of w_u = w_v                                     (9)
+/// No constant upper bound of the stiffness (a metric) exists, because 1/‖U‖² has no bound.
 namespace angle {
 
 /// The twines of every element and the angle between them. Throws OutsideDomain if a twine has no direction.

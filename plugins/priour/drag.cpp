@@ -11,9 +11,9 @@ namespace netloft::priour {
 
 namespace {
 
-/// F of every element, with its derivatives with respect to W (`flow`) and to the position of each corner
-/// (`x`), the latter without the shear of the current. The first contribution sets these numbers, later ones
-/// add to them.
+/// The force F of the water on every element, its derivatives with respect to the flow W (`flow`), and those
+/// with respect to the position of each corner (`x`), which leave out the shear of the current. The first
+/// contribution sets these numbers, later ones add to them.
 struct Force {
   double F[3][kLanes], flow[9][kLanes], x[3][9][kLanes];
 };
@@ -25,7 +25,8 @@ void put(double& to, double number) {
   to = turn == Turn::first ? number : to + number;
 }
 
-/// Fills in W, reduced by `slowed`, and the diameter, which both kinds of law need.
+/// Fills in the relative velocity W, reduced by `slowed`, and the diameter. Laws of twines and of screens
+/// both need them.
 void fill_flow(const Triangle::Lanes& p, const netloft_tile& t, const Slowing* slowed, FlowLanes& f) {
   const double *current = t.current, *v = t.v;
   const std::size_t count = t.count;
@@ -49,7 +50,8 @@ void add_law(const FlowLanes& f, const double* factor, const netloft_tile& t, Fo
     for (std::size_t i = 0; i < t.count; ++i) put<turn>(out.flow[k][i], factor[i] * f.d_flow[k][i]);
 }
 
-/// Computes F by (2) and its derivatives by (3) for the twines of one direction; `c` is a or b.
+/// Computes F by (2) and its derivatives by (3) of drag.hpp, for the twines of one direction; `c` is a or b
+/// of triangle.hpp.
 template <Turn turn>
 void add_twines(const netloft_bound_law& law, const Triangle::Lanes& p, const double (&c)[3][kLanes],
                 const netloft_tile& t, FlowLanes& f, Force& out) {
@@ -79,7 +81,7 @@ Vec3<double> corner(const netloft_tile& t, int q, std::size_t i) {
   return {t.x[at(3 * q, i)], t.x[at(3 * q + 1, i)], t.x[at(3 * q + 2, i)]};
 }
 
-/// Computes the area and, in `f`, normal and solidity of every triangle by (4).
+/// Computes by (4) of drag.hpp the area of every triangle and, in `f`, its normal and solidity.
 void fill_screen(const Triangle::Lanes& p, const netloft_tile& t, double* area, FlowLanes& f) {
   for (std::size_t i = 0; i < t.count; ++i) {
     const Vec3<double> o = corner(t, 0, i), N = cross(corner(t, 1, i) - o, corner(t, 2, i) - o);
@@ -125,8 +127,8 @@ void compute(const Family<Triangle>& family, const netloft_tile& t, const Slowin
   add_twines<Turn::later>(law, p, p.b, t, f, out);
 }
 
-/// Computes ⅓ F_W ∂c/∂x_q of row r, corner q and column `axis`, where c is the velocity of the water at the
-/// triangle.
+/// Computes ⅓ F_W ∂c/∂x_q in row r, for corner q and column `axis`; c is the velocity of the water at the
+/// triangle and F_W the derivative of the force by the flow.
 void find_shear(const Force& F, const netloft_tile& t, const Slowing* slowed, int r, int q, int axis,
                 double* shear) {
   std::fill_n(shear, t.count, 0.0);
@@ -141,7 +143,8 @@ void find_shear(const Force& F, const netloft_tile& t, const Slowing* slowed, in
   }
 }
 
-/// ∂F/∂x of row r, corner q and column c of every element, weighted by the factors of the tile.
+/// Computes ∂F/∂x of every element in row r, for corner q and column c, weighted by the factors cu and cv of
+/// the tile.
 void find_slope(const Force& F, const Slowing* slowed, const netloft_tile& t, int r, int q, int c,
                 double* slope) {
   double shear[kLanes] = {};
@@ -173,8 +176,9 @@ void add_tangent(const Force& F, netloft_tile& t) {
       }
 }
 
-/// Adds the difference between the tangents in slowed water and in undisturbed water. The difference is taken
-/// first, because adding one tangent and subtracting the other would leave rounding errors of their size.
+/// Adds the tangent in slowed water minus the tangent in undisturbed water. The difference is computed before
+/// it is added, because adding one tangent and subtracting the other would leave rounding errors of their
+/// size.
 void add_change_of_tangent(const Force& in_slowed, const Slowing& slowed, const Force& in_all,
                            netloft_tile& t) {
   double with[kLanes] = {}, without[kLanes] = {};

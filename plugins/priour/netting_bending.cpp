@@ -7,12 +7,14 @@ namespace netloft::priour {
 
 namespace {
 
-/// |d| of triangle.hpp (1), for the triangle of the edge and corner k.
+/// The determinant |d| of triangle.hpp (1), twice the bars of one direction, for the triangle of the common
+/// edge and corner k.
 double bars_beside(const Bending::Data& d, std::size_t k) {
   return std::abs(Triangle::determinant(d.u, d.v, k));
 }
 
-/// L of (3), (5) and its derivatives with respect to w, from h = 1 − w.
+/// The function L of (3) and (5) in netting_bending.hpp and its derivatives with respect to w, from h = 1 −
+/// w.
 struct Logarithm {
   explicit Logarithm(double h) {
     const double w = 1 - h, w0 = Bending::kFolded;
@@ -32,7 +34,7 @@ struct Logarithm {
 
 constexpr double kSign[2] = {1, -1};  // sign σ of each triangle
 
-/// The quantities of (1)–(3) and (8) at a state.
+/// The quantities of (1)–(3) and (8) in netting_bending.hpp, at one state of the two triangles.
 struct Fold {
   Fold(const State<4>& state, const Bending::Flat& flat)
       : e{state.x[1] - state.x[0], state.x[2] - state.x[0], state.x[3] - state.x[0]} {
@@ -58,7 +60,7 @@ struct Fold {
   double s[2], normal[2], E, D1, D2;  // normal: g·n
 };
 
-/// ∂²E/∂N_a∂N_b, (9).
+/// Fills in ∂²E/∂N_a∂N_b by (9) of netting_bending.hpp.
 void fill_block(const Fold& f, int a, int b, double (&H)[6][6]) {
   const Vec3<double> qa = f.q - dot(f.q, f.n[a]) * f.n[a], qb = f.q - dot(f.q, f.n[b]) * f.n[b];
   const double k = kSign[a] * kSign[b] / (f.s[a] * f.s[b]), nn = dot(f.n[a], f.n[b]);
@@ -74,7 +76,7 @@ void fill_block(const Fold& f, int a, int b, double (&H)[6][6]) {
     }
 }
 
-/// Entry (r, s) of [w]×.
+/// Entry (r, s) of the matrix [w]× with [w]× v = w×v.
 double cross_matrix(const Vec3<double>& w, int r, int s) {
   if (r == s) return 0;
   return ((s - r + 3) % 3 == 1 ? -1 : 1) * w[3 - r - s];
@@ -92,7 +94,8 @@ void fill_jacobian(const Fold& f, double (&J)[6][9]) {
     }
 }
 
-/// K = Jᵀ H J plus the terms from the second derivatives of N.
+/// Computes the tangent for the three edges: Jᵀ H J, where H are the second derivatives (9) and J is the
+/// Jacobian above, plus the terms from the second derivatives of N.
 void fill_tangent(const Fold& f, Square9& K) {
   Square6 H;
   double J[6][9], HJ[6][9];
@@ -116,7 +119,7 @@ void fill_tangent(const Fold& f, Square9& K) {
     }
 }
 
-/// Distributes the matrix of the three edges to the four corners: e_k = x_{k+1} − x_a.
+/// Distributes the matrix of the three edge vectors e_k = x_{k+1} − x_a to the four corners.
 void spread(const Square9& K, double cu, Local<4>& out) {
   for (int r = 0; r < 9; ++r)
     for (int s = 0; s < 9; ++s) {

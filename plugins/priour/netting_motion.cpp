@@ -9,13 +9,14 @@ namespace {
 
 Vec3<double> unit(const Twines& w, std::size_t i) { return {w.t[0][i], w.t[1][i], w.t[2][i]}; }
 
-/// Entry (r, c) of t (y − (t·y) t)ᵀ + (t·y)(I − t tᵀ), which is ‖w‖ times the derivative of (t·y) t with
-/// respect to w, t = w/‖w‖.
+/// Entry (r, c) of t (y − (t·y) t)ᵀ + (t·y)(I − t tᵀ), with `along` = t·y. For t = w/‖w‖, this is ‖w‖ times
+/// the derivative of (t·y) t with respect to w.
 double turning(const Vec3<double>& t, const Vec3<double>& y, double along, int r, int c) {
   return t[r] * (y[c] - along * t[c]) + along * ((r == c ? 1 : 0) - t[r] * t[c]);
 }
 
-/// Adds the damping of the twines of one direction. `damper(lane, 1/length)` returns the damper of one twine.
+/// Adds the damping of the twines of one direction. `damper(lane, 1/length)` returns the damping coefficient
+/// of one twine and its slope.
 template <class DamperOf>
 void damp(const Triangle::Lanes& p, const double (&c)[3][kLanes], const DamperOf& damper, netloft_tile& t) {
   const Twines twines(t, c, p.l0);
@@ -41,7 +42,7 @@ void damp(const Triangle::Lanes& p, const double (&c)[3][kLanes], const DamperOf
   }
 }
 
-/// An acceleration of all nodes, and the density of the mass that it accelerates.
+/// Accelerations of all nodes (or of the water there), and the density of the mass that is accelerated.
 struct Accelerated {
   const double* a;
   double sign, ca;        // factor of the residual; of its derivative with respect to a
@@ -62,7 +63,7 @@ struct Inert {
   }
 };
 
-/// The acceleration of corner m, and its part along the twines.
+/// The acceleration of corner m of every element, and its component along the twines.
 struct OfCorner {
   double y[3][kLanes], along[kLanes];
 
@@ -74,7 +75,8 @@ struct OfCorner {
   Vec3<double> at_lane(std::size_t i) const { return {y[0][i], y[1][i], y[2][i]}; }
 };
 
-/// Adds the derivatives of row r of corner m: (4) and, if derivatives by position are requested, (5).
+/// Adds the derivatives of row r of corner m: (4) of netting_motion.hpp and, if derivatives by position are
+/// requested, (5).
 void add_slopes(const Twines& w, const Inert& of, const OfCorner& a, const double (&c)[3][kLanes],
                 const Accelerated& by, int m, int r, netloft_tile& t) {
   double turned[kLanes];

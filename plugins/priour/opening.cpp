@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kTerms = 13;  // (kSeries/2)^kTerms is 1e-17
 
-/// A_k of (4) and its products with k and k(k−1).
+/// The coefficients A_k of (4) in opening.hpp, and their products with k and with k(k−1).
 struct Series {
   double A[kTerms + 1] = {}, kA[kTerms + 1] = {}, kkA[kTerms + 1] = {};
   constexpr Series() {

@@ -7,7 +7,7 @@ namespace netloft::priour {
 
 namespace {
 
-/// The middle of a triangle. With `with_low`, the positions are x + x_low, as in twines.hpp.
+/// A coordinate of the centroid of a triangle. If `with_low`, the positions are x + x_low, as in twines.hpp.
 double middle(const netloft_tile& t, bool with_low, int axis, std::size_t i) {
   return mean_of_corners(t.x, axis, i) + (with_low ? mean_of_corners(t.x_low, axis, i) : 0);
 }

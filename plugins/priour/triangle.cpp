@@ -117,12 +117,13 @@ double Triangle::half_angle(const Data& d, const State<3>& s) {
 
 namespace {
 
-/// Stiffness n·A of the bars of one direction of every element, six numbers each.
+/// Stiffness A of axial.hpp (4) times the number of bars, for one direction of every element: six numbers
+/// each.
 struct Blocks {
   double v[6][kLanes];
 };
 
-/// The bars of one direction of every element: vector, scalars of axial (1)–(4).
+/// The bars of one direction of every element: their vectors, and the scalars of axial.hpp (1)–(4).
 struct Stretched {
   double w[3][kLanes];
   double inverse[kLanes], T[kLanes], k[kLanes], energy[kLanes];

@@ -9,19 +9,21 @@ namespace netloft::priour {
 /// Index of a degree of freedom or matrix entry of element `lane` in the arrays of a tile.
 constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::size_t>(row) * kLanes + lane; }
 
-/// Priour's triangle of netting: the twines of both directions stay straight and parallel inside it.
-/// Corners x₁ x₂ x₃ have twine coordinates (u_i, v_i), counted in bars along the two twine directions.
+/// Priour's triangle of netting: the twines of both directions stay straight and parallel inside it. Its
+/// corners x₁ x₂ x₃ have twine coordinates (u_i, v_i), counted in bars along the two twine directions.
 ///   d = (u₂−u₁)(v₃−v₁) − (u₃−u₁)(v₂−v₁);  |d|/2 bars of each direction lie in the triangle      (1)
 ///   U = Σ a_p x_p,  a = (v₂−v₃, v₃−v₁, v₁−v₂)/d          vector of one u bar                       (2)
 ///   V = Σ b_p x_p,  b = (u₃−u₂, u₁−u₃, u₂−u₁)/d          vector of one v bar                       (3)
-///   E = (|d|/2) [ψ(‖U‖) + ψ(‖V‖)],  ψ, T, A by axial (1)–(6) with l₀ the bar length                (4)
+///   E = (|d|/2) [ψ(‖U‖) + ψ(‖V‖)]                        elastic energy                            (4)
 ///   r_p = (|d|/2) [a_p T_U Û + b_p T_V V̂]                residual ∂E/∂x_p                          (5)
-///   K_pq = (|d|/2) [a_p a_q A_U + b_p b_q A_V]                                                     (6)
+///   K_pq = (|d|/2) [a_p a_q A_U + b_p b_q A_V]           tangent ∂²E/∂x_p∂x_q                      (6)
 ///   W = |d| (π/4) t² l₀ (ρ − ρ_w) g                       weight in water, a third per corner      (7)
-/// t [m] twine diameter, ρ [kg/m³] twine density. With N twines side by side (double netting) there are N
-/// |d|/2 bars of each direction, in (4)–(7) and in all other terms; U and V belong to one twine. d may be
-/// negative: forces use |d|; U and V use d itself. Source: Priour 1999; A Finite Element Method for Netting
-/// (Springer 2013), as used in the trawl-gear paper, section 2.4.
+/// ψ [J], T [N] and A [N/m] are the elastic energy, the tension and the stiffness of one bar, by axial.hpp
+/// (1)–(6); l₀ [m] is its unstretched length, t [m] the diameter of the twine, ρ [kg/m³] its density. With N
+/// twines side by side (double netting), (4)–(7) and all other terms count N |d|/2 bars of each direction,
+/// whereas U and V are those of one twine. d may be negative: forces use |d|, whereas (2) and (3) use d
+/// itself. Source: Priour 1999; A Finite Element Method for Netting (Springer 2013), as used in the
+/// trawl-gear paper, section 2.4.
 struct Triangle {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
 
@@ -46,18 +48,18 @@ struct Triangle {
     double loss[kLanes];      // loss_of() of one twine, see loss.hpp
     double surface[kLanes];   // factor σ of surface.hpp
     double touching[kLanes];  // c_k of knot contact (1); 1 without knots
-    // b, ξ, R and e of slowed.hpp, and whether the water is slowed at some element.
+    // The numbers b, ξ, R and e of slowed.hpp, and whether a catch slows the water at any element.
     double slowed_by[kLanes], slowed_front[kLanes], slowed_radius[kLanes], slowed_x[kLanes], slowed_y[kLanes];
     bool slows = false;
   };
 
-  /// The determinant d of (1), for the first two corners and the corner `third`.
+  /// The determinant d of (1) for the first two corners and the corner `third`.
   template <std::size_t Corners>
   static double determinant(const std::array<double, Corners>& u, const std::array<double, Corners>& v,
                             std::size_t third = 2) {
     return (u[1] - u[0]) * (v[third] - v[0]) - (u[third] - u[0]) * (v[1] - v[0]);
   }
-  /// The quantities of (1)–(3) for one triangle.
+  /// The quantities a, b and |d|/2 of (1)–(3) for one triangle.
   struct Shape {
     double a[3], b[3], bars;  // bars: |d|/2
   };
@@ -75,7 +77,8 @@ struct Triangle {
   /// Half the angle between Û and V̂ [rad].
   static double half_angle(const Data& d, const State<3>& s);
 
-  /// The opening stiffness H of opening.hpp (1), as given or by the twines' bending stiffness [N·m/rad].
+  /// The stiffness H against opening of opening.hpp (1), as given or by the bending stiffness of the twines
+  /// [N·m/rad].
   static double opening_stiffness(const Parameters& p, const Data& d);
   /// c_k of knot_contact.hpp (1), the cosine of the angle between the twines when knots touch.
   static double touching_cosine(const Parameters& p, const Data& d);
