@@ -9,30 +9,28 @@ namespace netloft::boards {
 
 /// A board, kite or depressor: a rigid body with lift. Its axes are x aft along the chord, y outward, normal
 /// to the suction side, z up along the span; its origin is the middle of the projected area S. w is the unit
-/// vector of the flow in these axes, u its speed, q = ½ρ S u².
+/// vector of the flow in these axes, u [m/s] its speed, ρ [kg/m³] the density of water, q = ½ρ S u² [N].
 ///   α = atan2(w_y, w_x)   attack,   β = asin w_z   sideslip: flow along the span                        (1)
 ///   F = q (f_D C_D w + f_L (C_L e_L + C_Z e_Z)),   e_L = (−w_y, w_x, 0)/cos β,   e_Z = z − w_z w, unit   (2)
 ///   acts at (chord (ξ − ½), 0, span η)                                                                   (3)
-/// One table gives C_L, C_D and C_Z over α and β, another gives ξ (from the nose) and η (above the middle)
-/// over α. If the first table is over α alone, only the flow across the span causes the force, as for a yawed
-/// wing of infinite span: C_L(α), C_D(α) are multiplied by cos²β (R. T. Jones, NACA TN 1402, 1947), and C_Z =
-/// 0. Without a table the board is a flat plate (plate.hpp) with an additional drag coefficient C_0,
+/// f_D and f_L are factors for calibration. One table gives C_L, C_D and C_Z over α and β, another gives ξ
+/// (from the nose) and η (above the middle) over α. If the first table is over α alone, only the flow across
+/// the span causes the force, as for a yawed wing of infinite span: C_L(α), C_D(α) are multiplied by cos²β
+/// (R. T. Jones, NACA TN 1402, 1947), and C_Z = 0. Without a table the board is a flat plate (plate.hpp) with
+/// an additional drag coefficient C_0,
 ///   F = q (f_D F_∥ + f_L F_⊥),  F_∥, F_⊥ the parts of C_N sgn(w_y) y + C_0 w along and across w         (4)
-/// A bed under the board increases the force of the plate only, by plate.hpp (7), but not the force by a
-/// table. Beyond the edge of a table, the coefficients change to those of the plate within 20°, and the
-/// output `outside` is 1.
-///
-/// The force is evaluated at the four Gauss points (±chord, ±span)/2√3, a quarter of it at each, so that it
-/// depends on rotation and on a current that varies over the height of the board. f_L and f_D are factors for
-/// calibration.
+/// A bed under the board increases the force of the plate, by plate.hpp (7), but not a force from a table.
+/// Beyond the edge of a table, the coefficients change to those of the plate within 20°, and the output
+/// `outside` is 1. A quarter of the force is evaluated at each of the four Gauss points (±chord, ±span)/2√3,
+/// so that it depends on rotation and on a current that varies over the height of the board.
 ///
 /// If the lower edge sinks into moving ground, ploughing pushes it outward. The force at each of four points
 /// along the edge depends on the depth δ of the point and on the direction ĝ in which the ground passes it:
 ///   F = ¼ chord s p f (ĝ·y) y,   f = (δ/0.1 m)^n, continued by its tangent beyond 0.1 m                 (5)
-/// n = 1 in clay, 2 in sand; s is the local factor of the ground, 1 by default; p is for calibration and zero
-/// by default. The tangent keeps the force moderate if an initial guess has boards metres deep in the ground.
-/// Ploughing does not support the board: the contact of the board with the bed is a part of elements
-/// seabed/bed, at points of its shoe.
+/// n is 1 in clay and 2 in sand; s is the local factor of the ground, 1 by default; p [N/m] is for
+/// calibration and zero by default. The tangent keeps the force moderate if an initial guess has boards
+/// metres deep in the ground. Ploughing does not support the board: the contact of the board with the bed
+/// belongs to elements seabed/bed, at points of its shoe.
 ///
 /// Source of (1)-(3): the form of FAO, Otter board design and performance (1974). Two angles of the flow in
 /// the axes of the board determine the force on a body in a uniform flow; unlike attack, heel and trim as set
@@ -79,15 +77,16 @@ struct Otter {
 
 namespace detail {
 
-/// Force coefficients along w, e_L and e_Z of (2) as one vector in the axes of the board, y outward, and the
-/// point at which the force acts.
+/// Force coefficients along w, e_L and e_Z of (2), combined into one vector in the axes of the board (y
+/// outward), and the point at which the force acts.
 template <class T>
 struct Coefficients {
   Vec3<T> force;
   T at_chord, at_span;  // point of action by (3) [m]
 };
 
-/// Returns i of plate.hpp (7), the effect of the bed, from the clearance of the lower edge of the board.
+/// Returns the factor i of plate.hpp (7), the effect of the bed on the plate, from the clearance of the lower
+/// edge.
 template <class T>
 T image_in_bed(const Otter::Parameters& p, const Body<T>& b) {
   if (!b.bed.is_there) return T(0);
@@ -126,8 +125,8 @@ Coefficients<T> of_table(const Otter::Parameters& p, const Otter::Whole& t, cons
   return c;
 }
 
-/// Fraction of the plate's coefficients for a flow outside a table. The fraction rises smoothly from 0 at the
-/// edge of the table to 1 at 20° from the edge.
+/// How much of the coefficients is the plate's: 0 inside the table, rising smoothly to 1 for a flow 20°
+/// beyond its edge.
 template <class T>
 T weight_of_plate(const Otter::Whole& t, const T& alpha, const T& beta) {
   constexpr double kPassage = 0.3490658503988659;  // 20° [rad]

@@ -4,11 +4,11 @@
 
 namespace netloft::bodies {
 
-/// A rigid body with weight, buoyancy, drag and added mass: a clump, a frame, a weight with a shape. Weight
-/// and inertia are those of plugins/common/solid.hpp. With W the velocity of the water past the origin and
-/// e_i the axes of the body,
+/// A rigid body with weight, buoyancy, drag and added mass, such as a clump, a frame or a shaped weight.
+/// Weight and inertia are those of plugins/common/solid.hpp. W [m/s] is the velocity of the water past the
+/// origin, e_i are the axes of the body, ρ is the density of the water:
 ///   F = ½ ρ |W| Σ_i A_i (W·e_i) e_i     at the centre of volume                                   (1)
-///   M = −½ ρ Σ_i B_i |Ω_i| Ω_i e_i      Ω_i angular velocity about e_i                            (2)
+///   M = −½ ρ Σ_i B_i |Ω_i| Ω_i e_i      Ω_i [rad/s] angular velocity about e_i                    (2)
 /// A_i [m²] are the areas normal to the axes times their drag coefficients; B_i [m⁵] are the corresponding
 /// coefficients of rotation.
 struct BodySolid {

@@ -6,7 +6,8 @@
 
 namespace netloft::catches {
 
-/// Pressure of the flow that the catch stops, from inside on all netting behind a plane across the flow:
+/// Pressure of the flow that the catch stops. It acts from inside on all netting behind a plane across the
+/// flow, the front:
 ///   p = p₀ + C_d ½ ρ V²                                                                        (1)
 ///   n = o (x₂−x₁)×(x₃−x₁)                      outward normal, length twice the area             (2)
 ///   e = (cos ψ, sin ψ, 0),  s_i = e·x_i − ξ    distance of corner i behind the plane             (3)
@@ -16,15 +17,15 @@ namespace netloft::catches {
 ///   r_ξ = k (σ V₀ − Σ v) = 0,  k = p/∛V₀                 r_ξ grows with ξ                       (7)
 /// If only corner a is behind the plane, with t_b = s_a/(s_a − s_b) and t_c alike,
 ///   I = s_a t_b t_c/3,  w_a = t_b t_c (1 − (t_b+t_c)/3),  w_b = t_b² t_c/3,  w_c = t_b t_c²/3     (8)
-/// If only one corner is ahead, I = s̄ + I(−s) and w_i = ⅓ − w_i(−s), with s̄ the mean of the s_i. If all
-/// three are behind, I = s̄ and w_i = ⅓. p₀ [Pa] given pressure, V [m/s] speed of the water, C_d drag
-/// coefficient of the catch, ψ direction of the flow, ξ [m] position of the plane along it, V₀ [m³] volume of
-/// the catch (of its half in half a gear); σ [1] the fraction of V₀ at a given time, linear between the times
-/// of a table, and 1 without a table. All triangles of a part share ξ, which is either given or an unknown
-/// whose equation is (7). By the theorem of Gauss, Σ v is the volume between the plane and the netting, if
-/// the netting is closed behind the plane. o is 1 if the corners are counter-clockwise seen from outside, and
-/// −1 if they are clockwise. Source: the catch of FEMNET (D. Priour), where ξ is found by bisection without
-/// its tangent.
+/// If only one corner is ahead, I(s) = s̄ + I(−s) and w_i(s) = ⅓ − w_i(−s), with s̄ the mean of the s_i. If
+/// all three are behind, I = s̄ and w_i = ⅓. p₀ [Pa] is a given pressure, V [m/s] the speed of the water, C_d
+/// the drag coefficient of the catch, ψ the direction of the flow, ξ [m] the position of the plane along the
+/// flow. All triangles of a part share ξ, which is either given or an unknown with the equation (7). There,
+/// V₀ [m³] is the volume of the catch (of its half in half a gear), and σ [1] the fraction of V₀ at a given
+/// time, from a table (linear between its times) or 1. By the theorem of Gauss, Σ v is the volume between the
+/// plane and the netting, if the netting is closed behind the plane. o is 1 if the corners are
+/// counter-clockwise seen from outside, and −1 if they are clockwise. Source: the catch of FEMNET (D.
+/// Priour), where ξ is found by bisection without its tangent.
 struct Front {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
   static constexpr int globals = 1;  // shared unknown: ξ

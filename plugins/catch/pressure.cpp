@@ -39,9 +39,9 @@ struct FilledSlice {
   double n, arm;
 };
 
-/// A cut through a triangle, at `depth` from one corner; the other two corners are at the depths `first` and
-/// `second` from that corner [meshes]. `away` is 1 if the cut moves away from that corner as m grows, and −1
-/// if the cut moves towards the corner.
+/// A cut through a triangle at `depth` meshes from one corner; the other two corners are at the depths
+/// `first` and `second` from it. `away` is 1 if the cut moves away from that corner as the number m of filled
+/// meshes grows, and −1 if the cut moves towards the corner.
 struct Cut {
   double depth, first, second, away;
 };
@@ -61,7 +61,7 @@ Pressure::Fraction cut_off(const std::array<std::size_t, 3>& corner, const Cut& 
   return fraction;
 }
 
-/// Adds the force (3) and its tangent. `pressure` is o p.
+/// Adds the force (3) of pressure.hpp and its tangent. `pressure` is p times the sign o.
 void push(double pressure, const Pressure::Fraction& fraction, const State<4>& s, Local<4>& out) {
   const double half = pressure / 2;
   const Vec3<double> n = cross(s.x[1] - s.x[0], s.x[2] - s.x[0]);  // normal n of (2), without the sign o

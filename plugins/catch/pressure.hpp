@@ -6,7 +6,7 @@
 
 namespace netloft::catches {
 
-/// Pressure of the flow that the catch stops, from inside on the netting behind the catch front:
+/// Pressure of the flow that the catch stops, from inside on the netting behind the front of the catch:
 ///   p = p₀ + C_d ½ ρ V²                                                                (1)
 ///   n = o (x₂−x₁)×(x₃−x₁)                           outward normal, length twice the area    (2)
 ///   r_i = −(φ_i p/2) n,  i = 1, 2, 3                  the part of the force on each corner   (3)
@@ -20,8 +20,8 @@ namespace netloft::catches {
 /// Priour.
 ///
 /// The pressure is a follower force without an energy. Over a closed surface, or one with a fixed rim, the
-/// sum of (3) is the gradient of −p × volume and the sum of (4) is symmetric; but a catch front that cuts
-/// through a cod-end is a moving rim, on which the forces of −p Σ x₁·(x₂×x₃)/6 would depend on the origin.
+/// sum of (3) is the gradient of −p × volume and the sum of (4) is symmetric. A front that cuts through a
+/// cod-end is a moving rim, however, on which the forces of −p Σ x₁·(x₂×x₃)/6 would depend on the origin.
 ///
 /// All triangles of a part share the front m. It is the given number of `meshes`, or an unknown whose
 /// equation is that the catch has the given volume:
@@ -29,13 +29,13 @@ namespace netloft::catches {
 ///   r_m = k (Σ φ v − σ V₀) = 0,  k = p/∛V₀                                                (7)
 ///   ∂r_i/∂m = −φ_i′ (p/2) n,   ∂r_m/∂m = k φ′ v                                           (8)
 ///   ∂r_m/∂x_j = k φ [ n_y/6 e_y − o ½ (ȳ − y₀) e_yᵀ[w_j]× ]                                 (9)
-/// V₀ [m³] volume; σ [1] its fraction at a given time, from a table, 1 without one; y axis across the
-/// cod-end, y₀ the middle of the cod-end. By the theorem of Gauss, Σ φ v is the volume behind the front,
-/// closed there by a surface of straight lines from side to side. This is exact for every cod-end that is
-/// symmetric about the plane y = y₀, and for half of such a cod-end that ends in that plane. If the cod-end
-/// is turned by ψ, the error is the area of the front times sin ψ times the distance of its middle from y₀. A
-/// cut triangle contributes φ v, with v that of the whole triangle. k makes (7) a force whose ratio to the
-/// drag on the front is that of the missing volume to V₀.
+/// V₀ [m³] is the volume of the catch; σ [1] its fraction at a given time, from a table, or 1; y the axis
+/// across the cod-end, y₀ the middle of the cod-end. By the theorem of Gauss, Σ φ v is the volume behind the
+/// front, closed there by a surface of straight lines from side to side. A cut triangle contributes φ v, with
+/// the v of the whole triangle. The volume is exact for every cod-end that is symmetric about the plane y =
+/// y₀, and for half of such a cod-end that ends in that plane. If the cod-end is turned by ψ, the error is
+/// the area of the front times sin ψ times the distance of its middle from y₀. The factor k makes (7) a
+/// force; its ratio to the drag on the front is the ratio of the missing volume to V₀.
 struct Pressure {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
   static constexpr int globals = 1;  // shared unknown: m

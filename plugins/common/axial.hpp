@@ -7,18 +7,18 @@
 
 namespace netloft::axial {
 
-/// A straight elastic twine or rope between two points, w the vector from one to the other. Slack bars have a
-/// small stiffness:
+/// A straight elastic twine or rope, where w [m] is the vector between its ends. Slack bars have a small
+/// stiffness:
 ///   l = ‖w‖,  t = w/l                                          (1)
-///   T = EA (l − l₀)/l₀  if l ≥ l₀,  else EA_c (l − l₀)/l₀      (2)
-///   ψ = ½ T (l − l₀)                                           (3)  energy, dψ/dl = T
-///   A = ∂(T t)/∂w = k t tᵀ + g (I − t tᵀ),  k = dT/dl,  g = T/l (4)
-///   A₊: g clamped at zero, positive semi-definite               (5)
+///   T = EA (l − l₀)/l₀  if l ≥ l₀,  else EA_c (l − l₀)/l₀      (2)  tension [N]
+///   ψ = ½ T (l − l₀)                                           (3)  energy [J], dψ/dl = T
+///   A = ∂(T t)/∂w = k t tᵀ + g (I − t tᵀ),  k = dT/dl,  g = T/l (4)  stiffness [N/m]
+///   A₊: A with max(g, 0) for g, positive semi-definite          (5)
 ///   M = (max(EA, EA_c)/l₀) I, upper bound of A₊ for every w     (6)
-/// EA, EA_c [N] stiffness in tension and in compression; l₀ [m] unstretched length. Source: the linear spring
-/// of the trawl-gear paper, section 2.3; Priour, A Finite Element Method for Netting (Springer 2013), for the
-/// reduced stiffness of a slack twine. For l < kCollapsed l₀, w/(kCollapsed l₀) replaces the direction t,
-/// which has no value at l = 0.
+/// EA, EA_c [N] are the stiffness in tension and in compression; l₀ [m] is the unstretched length. For l <
+/// kCollapsed l₀, w/(kCollapsed l₀) replaces the direction t, which has no value at l = 0. Source: the linear
+/// spring of the trawl-gear paper, section 2.3; for the reduced stiffness of a slack twine, Priour, A Finite
+/// Element Method for Netting (Springer 2013).
 inline constexpr double kCollapsed = 1e-9;
 
 struct Material {

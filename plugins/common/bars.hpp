@@ -9,19 +9,19 @@
 namespace netloft::bars {
 
 /// Straight two-node bars of rope or twine, 64 at a time. Each represents N equal bars side by side.
-///   w = x₁ − x₀; tension T and tangent by axial (1)–(5)
+///   w = x₁ − x₀, tension T, direction t and tangent by axial.hpp (1)–(5)
 ///   r₀ = −N T t,  r₁ = +N T t      residual ∂E/∂x                    (1)
 ///   G = V (ρ − ρ_w) g              weight in water, half per node    (2)
 ///     V = N (π/4) D² l₀
 ///   F = N l₀ f(W, t)               drag, half per node               (3)
-///     W = ½ (c₀ + c₁) − ½ (v₀ + v₁), c the current at the nodes; f [N/m] the law of the part
+///     W = ½ (c₀ + c₁) − ½ (v₀ + v₁), c the current, v the velocity; f [N/m] the law of the part
 ///   T_d = N (η/l₀) dl/dt           damping along the bar             (4)
 ///   r_p = ½ V [(ρ + C_a ρ_w) a_p − C_a ρ_w (t·a_p) t]   inertia      (5)
-///     added mass acts only across the bar, whose direction is t; masses are lumped at the nodes
-/// D [m] diameter, ρ [kg/m³] density of the material, ρ_w of the water, g [m/s²], η [N s] damping (EA times a
-/// relaxation time), C_a [1] added mass over displaced mass, N ≥ 0 (1 for a rope) need not be whole. (5) is
-/// the force in water without acceleration; `add_waves` adds the rest. Source: the trawl-gear paper, section
-/// 2.3 and eq. (2); Morison et al. 1950.
+///     a_p acceleration of node p; added mass acts only across the bar; masses are lumped at the nodes
+/// l₀ [m] unstretched length, D [m] diameter, ρ [kg/m³] density of the material, ρ_w of the water, g [m/s²],
+/// η [N s] damping (EA times a relaxation time), C_a [1] added mass over displaced mass. N ≥ 0 (1 for a rope)
+/// need not be whole. (5) is the force in water without acceleration; `add_waves` adds that of accelerated
+/// water. Source: the trawl-gear paper, section 2.3 and eq. (2); Morison et al. 1950.
 struct Lanes {
   double l0[kLanes];                          // [m]
   double EA[kLanes], EA_compression[kLanes];  // N EA and N EA_c of N twines [N]
@@ -32,8 +32,8 @@ struct Lanes {
   double surface[kLanes];                      // factor σ of surface.hpp
 };
 
-/// Fills in the numbers of one element (a lane). `parallel` is N, which is used nowhere else. `P` has EA,
-/// EA_compression, diameter, density, damping, loss_factor, loss_frequency, added_mass, surface of one bar.
+/// Fills in the numbers of one element (a lane). `parallel` is the number N of bars side by side. `P` holds
+/// the properties of one bar.
 template <class P>
 void pack(const P& p, double rest_length, double parallel, Lanes& lanes, std::size_t lane) {
   lanes.l0[lane] = rest_length;

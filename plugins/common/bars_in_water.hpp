@@ -31,7 +31,7 @@ inline void fill_flow(const Lanes& p, const Chords& chord, const netloft_tile& t
   std::fill_n(flow.solidity, count, 0.0);
 }
 
-/// Computes row r of ½ ∂f/∂W (dc/dz)_q: the effect of a sheared current if node q moves vertically.
+/// Computes row r of ½ ∂f/∂W (dc/dz)_q: the effect of a vertical motion of node q in a sheared current.
 inline void find_shear(const FlowLanes& f, const netloft_tile& t, int r, int q, double* shear) {
   std::fill_n(shear, t.count, 0.0);
   if (!t.current_dz) return;
@@ -51,8 +51,9 @@ inline void find_turn(const Chords& chord, const FlowLanes& f, std::size_t count
   }
 }
 
-/// Adds −½ N l₀ ∂f to the rows of both nodes in the tangent. With the tile's factors cu, cv of derivatives by
-/// position and by velocity, the derivative with respect to node q is (+ for the second node)
+/// Adds −½ N l₀ ∂f to the rows of both nodes in the tangent, where ∂f is the derivative of the drag per metre
+/// with respect to node q. cu and cv are the tile's factors of derivatives by position and by velocity; the
+/// sign is + for the second node:
 ///   ∂f = cu [½ ∂f/∂W (dc/dz)_q e_zᵀ ± ∂f/∂t (I − t tᵀ)/l] − cv ½ ∂f/∂W
 inline void add_drag_tangent(const Lanes& p, const Chords& chord, const FlowLanes& f, netloft_tile& t) {
   const double cu = t.cu, cv = t.cv;
@@ -121,14 +122,14 @@ inline void angle_of(const Lanes& p, const netloft_tile& t, double* values) {
   }
 }
 
-/// A damper for every bar, with the tension c (dl/dt − g l); the unstretched length of the damper grows at
-/// the rate g.
+/// A damper for every bar, with the tension c (dl/dt − g l). g is the rate at which its unstretched length
+/// grows.
 struct Dampers {
   double c[kLanes] = {}, slope[kLanes] = {};  // c and dc/dl
   double growth[kLanes] = {};                 // rate g [1/s]
 };
 
-/// Adds the dampers. With the chord w, its rate w' and y' = dl/dt − g l, the derivatives of the tension are
+/// Adds the dampers. With the chord w of a bar, its rate w' = dw/dt and y' = dl/dt − g l, the derivatives are
 ///  ∂(T_d t)/∂w = (c/l) [t (w' − (t·w') t)ᵀ + y' (I − t tᵀ)] + (dc/dl y' − c g) t tᵀ,  ∂(T_d t)/∂w' = c t tᵀ
 inline void add_dampers(const Chords& chord, const Dampers& d, netloft_tile& t) {
   for (std::size_t i = 0; i < t.count; ++i) {
@@ -166,8 +167,8 @@ inline Status add_damping(const Lanes& p, netloft_tile& t) {
   return Status::ok;
 }
 
-/// Adds the damping loss.hpp (1), with dl/dt reduced by the growth of the unstretched length: a rope that
-/// runs off a drum at constant strain loses no energy.
+/// Adds the damping (1) of loss.hpp, where dl/dt is reduced by the growth of the unstretched length: a rope
+/// that runs off a drum at constant strain loses no energy.
 inline Status add_loss(const Lanes& p, const double* growth, netloft_tile& t) {
   const Chords chord(t, p.l0);
   Dampers d;
@@ -211,11 +212,11 @@ inline Status add_inertia(const Lanes& p, netloft_tile& t) {
   return Status::ok;
 }
 
-/// Adds the force that the acceleration u′ of the water exerts. It is the inertia (5) of a bar made of water,
-/// with the opposite sign:
+/// Adds the force that the acceleration u′ [m/s²] of the water exerts. It is the inertia (5) of a bar made of
+/// water, with the opposite sign:
 ///   r_p = −½ V [ρ_w (1 + C_a) u′ − C_a ρ_w (t·u′) t]                                                 (6)
-/// The first part is the pressure of the waves on the displaced volume (Froude and Krylov), in all directions
-/// like buoyancy; the second is added mass, across the bar.
+/// Part of it is the pressure of the waves on the displaced volume (Froude and Krylov), which acts in all
+/// directions like buoyancy; the terms with C_a are added mass, which acts across the bar.
 inline Status add_waves(const Lanes& p, netloft_tile& t) {
   const double* acceleration = water_acceleration_of(t);
   if (!acceleration) return Status::ok;

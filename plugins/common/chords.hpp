@@ -6,8 +6,8 @@ namespace netloft::bars {
 
 constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::size_t>(row) * kLanes + lane; }
 
-/// Computes x₁ − x₀ of the bars of a tile [m]. Positions are x + x_low; x_low, which a tile may lack, adds
-/// digits beyond those of a double.
+/// Computes x₁ − x₀ of the bars of a tile [m]. Positions are x + x_low, where x_low holds digits beyond those
+/// of a double; a tile may lack x_low.
 inline void find_spans(const netloft_tile& t, double (&__restrict w)[3][kLanes]) {
   for (int axis = 0; axis < 3; ++axis) {
     const double *first = t.x + at(axis, 0), *second = t.x + at(axis + 3, 0);

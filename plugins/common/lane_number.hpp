@@ -10,10 +10,11 @@ namespace netloft {
 ///   x = 2ᵏ m, √½ < m < √2,  f = m − 1,  s = f/(2 + f)
 ///   ln x = k ln 2 + f − ½ f² + s (½ f² + R(s²))                          (1)
 ///   k = round(x/ln 2),  r = x − k ln 2,  c = r − r² P(r²),  eˣ = 2ᵏ (1 + r + r c/(2 − c))     (2)
-/// with the polynomials R and P of fdlibm (Sun Microsystems 1993, e_log.c, e_exp.c; ln 2 in two parts). Both
-/// are within one unit in the last place. Sums and products are rounded one by one, as plugins are compiled
-/// (-ffp-contract=off), so that a number has the same bits in any lane, in the remainder of a loop and on any
-/// processor. Arguments are not checked; callers bound them or discard the result:
+/// R and P are the polynomials of fdlibm (Sun Microsystems 1993, e_log.c, e_exp.c), and ln 2 consists of two
+/// parts. Both functions are within one unit in the last place. Plugins are compiled so that sums and
+/// products are rounded one by one (-ffp-contract=off); a number therefore has the same bits in any lane, in
+/// the remainder of a loop and on any processor. Arguments are not checked; callers bound them or discard the
+/// result:
 ///   ln x    normal numbers above zero. Zero and subnormal numbers give −709.1; negative and infinite numbers
 ///           and NaN give finite numbers without a meaning, such as ln(−1) = 1420 and ln(NaN) = 710.
 ///   eˣ      |x| < 708. Beyond, the result is not 0 or infinity but any number, also a negative one or NaN.
@@ -31,7 +32,7 @@ inline double log(double x) {
   constexpr std::uint64_t kOne = 0x3ff0000000000000, kRootHalf = 0x3fe6a09e00000000,
                           kMantissa = (1ull << 52) - 1;
   const std::uint64_t shifted = std::bit_cast<std::uint64_t>(x) + (kOne - kRootHalf);
-  // With an integer n < 2⁵² as the mantissa, the bits of 2⁵² become those of 2⁵² + n.
+  // With n < 2⁵² in place of its mantissa, the bits of the double 2⁵² are those of 2⁵² + n.
   const double k = std::bit_cast<double>((shifted >> 52) | 0x4330000000000000) - (0x1p52 + 1023);
   const double f = std::bit_cast<double>((shifted & kMantissa) + kRootHalf) - 1;
   const double s = f / (2 + f), z = s * s, w = z * z, half = 0.5 * f * f;
@@ -52,8 +53,8 @@ inline double exp(double x) {
 
 }  // namespace lane
 
-/// A number that depends on one variable v, and its derivative with respect to ln v, for loops over lanes,
-/// which Dual<1, 1> would slow down. A compiler may compute one logarithm for all powers of one number.
+/// A number that depends on one variable v, and its derivative with respect to ln v. Loops over lanes use it
+/// because Dual<1, 1> is slower there. A compiler may compute one logarithm for all powers of one number.
 struct LaneNumber {
   double value = 0, slope = 0;
 

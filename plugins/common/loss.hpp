@@ -7,26 +7,24 @@
 
 namespace netloft::axial {
 
-/// Damping by the material of a taut twine or rope (Kelvin and Voigt):
+/// Damping by the material of a taut twine or rope of the length l (Kelvin and Voigt):
 ///   T_d = c dl/dt,  c = (EA/l₀) η/(2π f₀) s(ε/ε₁),  ε = l/l₀ − 1                           (1)
 ///   s(y) = y² (3 − 2y) between 0 and 1, constant beyond                                    (2)
-/// η [1] loss factor: the fraction of its energy that an oscillating taut rope of the frequency f₀ [Hz] loses
-/// per radian, so that its amplitude falls by the factor exp(−π η) per period. At other frequencies f the
-/// loss factor is η f/f₀, whereas that of fibres and wires is nearly constant: f₀ is the middle of the
-/// relevant band. A slack rope has no damping. Source: Kelvin and Voigt's solid, as in Clough and Penzien,
-/// Dynamics of Structures. The gradual onset over ε₁ is not in the source: if the force jumped, some states
-/// would have no equilibrium.
-///
-/// ε₁ is small compared with the strains of a rope in use, 1e-3 and more, but large enough for an implicit
-/// step to resolve the onset.
+/// η [1] is the loss factor: the fraction of its energy that a taut rope loses per radian when it oscillates
+/// at the frequency f₀ [Hz]. Its amplitude falls by the factor exp(−π η) per period. At other frequencies f
+/// the loss factor of (1) is η f/f₀, whereas that of fibres and wires is nearly constant; f₀ should be the
+/// middle of the relevant band. A slack rope has no damping. Source: Kelvin and Voigt's solid, as in Clough
+/// and Penzien, Dynamics of Structures. The gradual onset over the strain ε₁ is not in the source: if the
+/// force jumped, some states would have no equilibrium. ε₁ is small compared with the strains of a rope in
+/// use, 1e-3 and more, but large enough for an implicit step to resolve the onset.
 inline constexpr double kFullLossStrain = 1e-4;
 
-/// Computes η EA/(2π f₀) of one bar, l₀ times the greatest c of (1) [N s].
+/// Computes η EA/(2π f₀) of one bar [N s], which is l₀ times the greatest c of (1).
 inline double loss_of(double EA, double loss_factor, double loss_frequency) {
   return EA * loss_factor / (2 * std::numbers::pi * loss_frequency);
 }
 
-/// The coefficient c of (1) and dc/dl. `loss` is the result of loss_of [N s].
+/// The damping coefficient c of (1) and its slope dc/dl. `loss` is the result of loss_of [N s].
 struct Damper {
   double c, slope;  // [N s/m], [N s/m²]
 };

@@ -9,7 +9,7 @@
 
 namespace netloft::solids {
 
-/// A symmetric tensor, given by principal values and axes: it is positive semi-definite if no value is
+/// A symmetric tensor, given by principal values and axes. It is positive semi-definite if no value is
 /// negative.
 struct Tensor {
   Vec3<double> values;
@@ -69,12 +69,14 @@ struct Weight {
 };
 
 /// Inertia of the body and of the water that moves with it. In the axes of the body, u is the velocity of the
-/// point a at which added mass has no moment, and Ω is the angular velocity. R rotates to the axes of the
-/// world. The symmetric tensors J, A and B are those of inertia, added mass and added inertia:
+/// point a at which added mass has no moment, and Ω is the angular velocity; R rotates to the axes of the
+/// world, m is the mass and a_c the acceleration of its centre. J, A and B are the symmetric tensors of
+/// inertia, added mass and added inertia:
 ///   F = −m a_c at the centre of mass,  M = −R (J Ω̇ + Ω×J Ω)                                     (2)
 ///   F = −R (A u̇ + Ω×A u) at a,  M = −R (B Ω̇ + Ω×B Ω + u×A u)                                    (3)
 /// (H. Lamb, Hydrodynamics, 1932, §§ 121-124: G. Kirchhoff's equations). u is the velocity in the axes of the
-/// scene, not relative to the water: coefficients of lift and moment include the effect of a steady flow.
+/// scene, not relative to the water, because coefficients of lift and moment include the effect of a steady
+/// flow.
 struct Inertia {
   template <class T>
   static Wrench<T> force(const Solid& p, const Sided& d, const Body<T>& b) {

@@ -7,15 +7,15 @@
 
 namespace netloft::surface {
 
-/// Drag and buoyancy that twines and ropes lose above the surface of the water, z = 0. Each node of an
-/// element is a cube of side h, of which the part below the surface is wet:
-///   h³ = V/N,  w = clamp((h/2 − (z − η))/h, 0, 1)                  (1)
+/// Drag and buoyancy that twines and ropes lose above the surface of the water. Each node of an element is a
+/// cube of side h, of which the part below the surface is wet:
+///   h³ = V/N,  w = clamp((h/2 − (z − η))/h, 0, 1)    wet fraction    (1)
 ///   r_p = −σ (1 − w_p) r_p^drag                drag                (2)
 ///   r_p = σ (1 − w_p) (V/N) ρ_w g e_z          buoyancy of bars    (3)
-/// V [m³] volume of the twines or rope of the element, N its number of nodes, r^drag the residual of its
-/// drag under water, σ [1] factor on both losses, 0 in water without a surface; η [m] height of the surface
-/// above z = 0 in waves. Source: partial immersion of bars and netting in FEMNET (D. Priour), where netting
-/// keeps its weight in water.
+/// V [m³] is the volume of the twines or rope of the element, N its number of nodes, r^drag the residual of
+/// its drag under water, σ [1] a factor on both losses (0 in water without a surface), η [m] the height of
+/// the surface above z = 0 in waves. Source: partial immersion of bars and netting in FEMNET (D. Priour),
+/// where netting keeps its weight in water.
 struct Cube {
   double side;  // side h of the cube [m]
   double dry(double z) const { return side > 0 ? std::clamp(0.5 + z / side, 0.0, 1.0) : 0; }
@@ -36,8 +36,8 @@ inline double above_surface(const netloft_tile& t, int node, std::size_t i) {
   return t.x[at(3 * node + 2, i)] - (surface ? surface[at(node, i)] : 0);
 }
 
-/// Whether a node loses no drag or buoyancy: its cube is under water, or σ is 0. `Lanes` has volume and
-/// surface.
+/// Whether a node loses no drag or buoyancy, because its cube is under water or σ is 0. `Lanes` has volume
+/// and surface.
 template <int N, class Lanes>
 bool is_wet(const Lanes& p, const netloft_tile& t, int node, std::size_t i) {
   const double z = above_surface(t, node, i);
@@ -53,13 +53,14 @@ bool is_wet(const Lanes& p, const netloft_tile& t) {
   return true;
 }
 
-/// The drag of a tile of elements with N nodes as if they were under water, and its removal from dry nodes.
+/// The drag of a tile of elements with N nodes, computed as if all were under water; `take_from` removes it
+/// from dry nodes.
 template <int N>
 struct Drag {
   static constexpr int dofs = 3 * N;
   double force[dofs * kLanes] = {}, tangent[dofs * dofs * kLanes] = {};
 
-  /// A tile whose outputs are the arrays of this object.
+  /// Copies a tile, with the arrays of this object as the places for the results.
   netloft_tile answer_of(const netloft_tile& t) {
     netloft_tile inner = t;
     inner.energy = nullptr;

@@ -6,8 +6,8 @@
 
 namespace netloft::floats {
 
-/// Floats at a node. Their number s is the node's fraction of the floats along a rope, not necessarily an
-/// integer. Weights are floats with B < 0.
+/// Floats at a node. s is the node's part of the number of floats along a rope, not necessarily an integer.
+/// Weights are floats with B < 0.
 ///   B = the given buoyancy, or (ρ V − m) g                                  (1)
 ///   r = −s B e_z,  E = −s B z                  net upward force             (2)
 ///   r = −s κ C_d |W| W,  κ = ½ ρ A             drag                         (3)
@@ -15,13 +15,13 @@ namespace netloft::floats {
 ///   r = s (m + C_a ρ V) ẍ                      inertia, added mass included (5)
 ///   r = −s (1 + C_a) ρ V u′                    waves                        (6)
 /// B [N] net upward force of one float in water, V [m³] volume, m [kg] mass, A [m²] area across the flow (π
-/// D²/4 if only the diameter D is given), W = c − ẋ [m/s] velocity of the water relative to the float, C_d
-/// drag and C_a added-mass coefficient. Source: Morison's equation for a body that is small compared with the
-/// scale of the flow; C_a = ½ is the sphere in potential flow, C_d = 0.47 the smooth sphere at Reynolds
-/// numbers of 1e3 to 2e5 (Hoerner, Fluid-Dynamic Drag, 1965, chapter III). u′ [m/s²] acceleration of the
-/// water: pressure of the waves on the displaced volume (Froude and Krylov) and added mass. With the law
-/// `sphere`, C_d depends on Re = |W| D/ν, across the drag crisis (plugins/common/sphere.hpp). A float with
-/// lugs or growth is rough and reaches the crisis earlier.
+/// D²/4 if only the diameter D is given), W = c − ẋ [m/s] velocity of the water relative to the float, u′
+/// [m/s²] acceleration of the water, C_d drag and C_a added-mass coefficient. (6) is the pressure of the
+/// waves on the displaced volume (Froude and Krylov) and added mass. Source: Morison's equation for a body
+/// that is small compared with the scale of the flow; C_a = ½ is the sphere in potential flow, C_d = 0.47 the
+/// smooth sphere at Reynolds numbers of 1e3 to 2e5 (Hoerner, Fluid-Dynamic Drag, 1965, chapter III). With the
+/// law `sphere`, C_d depends on Re = |W| D/ν, across the drag crisis (plugins/common/sphere.hpp). A float
+/// with lugs or growth is rough and reaches the crisis earlier.
 struct Float {
   static constexpr auto stencil = NETLOFT_NODE;
 

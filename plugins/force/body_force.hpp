@@ -6,11 +6,12 @@
 
 namespace netloft::forces {
 
-/// A force that acts on a rigid body and rotates with it, such as that of a fin or a thruster, or a measured
-/// force in the axes of a board.
+/// A force that acts on a rigid body and rotates with it, such as the force of a fin or a thruster, or one
+/// that was measured in the axes of a board.
 ///   f = R F,   m = r × f                                                (1)
-/// F [N] in the axes of the body, y outward on either side of a gear; R rotation of the body, r lever from
-/// its origin to the point of action. The force has no energy, because its work depends on the path.
+/// F [N] is the force in the axes of the body, with y outward on either side of a gear; R is the rotation of
+/// the body, r the lever from its origin to the point of action, m the moment. The force has no energy,
+/// because its work depends on the path.
 struct OnBody {
   static constexpr auto stencil = NETLOFT_BODY;
 

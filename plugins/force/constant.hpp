@@ -6,11 +6,11 @@
 
 namespace netloft::forces {
 
-/// A constant force at a node, independent of the shape of the gear, such as that of a door or a winch that
-/// is not modelled.
+/// A constant force at a node, independent of the shape of the gear, such as that of an otter board or a
+/// winch that is not modelled.
 ///   E = −s F·x,  r = −s F                                                 (1)
-/// F [N] in the axes of the world; s is how many such forces act at the node, and may
-/// be a fraction: one half on a plane of symmetry, of which the model has one side.
+/// F [N] is the force in the axes of the world. s is the number of such forces at the node; on a plane of
+/// symmetry, of which the model has one side, it is one half.
 struct Constant {
   static constexpr auto stencil = NETLOFT_NODE;
 

@@ -14,9 +14,9 @@ namespace netloft::hydro {
 ///   ∂F/∂t = −τ (k I + g û ûᵀ) − k t Uᵀ + κ |τ| (2 t Uᵀ + τ I)           (4)
 ///   ∂F/∂W = r ∂F/∂U                                                     (5)
 /// W [m/s] velocity of the water relative to the twine, r [1] factor on W behind other netting, t unit vector
-/// along the twine, D [m] diameter, ρ [kg/m³] density of the water, C_t [1] friction; k [kg/(m s)] differs
-/// between the laws. The force is regular everywhere: without flow, or with none across, û and g are zero.
-/// Source: cross-flow principle, as in the trawl-gear paper, eqs. (2) and (4).
+/// along the twine, D [m] diameter, ρ [kg/m³] density of the water, C_t [1] coefficient of friction; each law
+/// has its own k [kg/(m s)]. The force is regular everywhere: if there is no flow across the twine, û and g
+/// are zero. Source: cross-flow principle, as in the trawl-gear paper, eqs. (2) and (4).
 struct CrossFlow {
   double shielding;   // factor r on W
   double tangential;  // friction C_t

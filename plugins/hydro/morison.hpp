@@ -4,11 +4,12 @@
 
 namespace netloft::hydro {
 
-/// Drag of twines, ropes and wires with constant coefficients: CrossFlow (1)–(5) with
+/// Drag of twines, ropes and wires with constant coefficients: crossflow.hpp (1)–(5) with
 ///   k = ½ ρ D C_n s,  g = k                                             (1)
-/// so that F = ½ ρ D [C_n ‖U_n‖ U_n + C_t |τ| τ t] per metre. Source: the trawl-gear paper, eqs. (2) and (4);
-/// Morison et al. 1950 for the drag of a cylinder. For netting, it over-predicts the drag at small angles of
-/// attack, because twines are in the wake of others.
+/// so that F = ½ ρ D [C_n ‖U_n‖ U_n + C_t |τ| τ t] per metre; C_n and C_t are the coefficients for the flow
+/// across and along the twine. Source: the trawl-gear paper, eqs. (2) and (4); Morison et al. 1950 for the
+/// drag of a cylinder. For netting, it over-predicts the drag at small angles of attack, because twines are
+/// in the wake of others.
 struct Morison {
   static constexpr auto kind = NETLOFT_TWINE_LAW;
   struct Parameters {

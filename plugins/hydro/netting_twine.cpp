@@ -45,7 +45,8 @@ void write_force(const netloft_law_tile& f, std::size_t i, const Motion& m, cons
   for (int axis = 0; axis < 3; ++axis) f.force[static_cast<std::size_t>(axis) * kLanes + i] = F[axis];
 }
 
-/// Writes the derivatives (6) to (8). Products t yᵀ with the same t are added up first, as one vector y.
+/// Writes the derivatives (6) to (8) of netting_twine.hpp. Products t yᵀ with the same t are first summed as
+/// one vector y.
 void write_derivatives(double shielding, const netloft_law_tile& f, std::size_t i, const Motion& m,
                        const Factors& c) {
   const double squared = NettingTwine::kAlong * NettingTwine::kAlong, k = c.across.value, a = c.along.value;

@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kShielding =
     "velocity of the water here divided by that ahead of the gear, 1 in open water";
 
-/// Adds the parameter that chooses a source of the drag coefficient of a cylinder over the Reynolds number.
+/// Adds the parameter for the source of a cylinder's drag coefficient as a function of the Reynolds number.
 template <class Table>
 void add_cylinder(Table& law, auto member) {
   law.choice("cylinder", member,

@@ -11,16 +11,16 @@ namespace netloft::hydro {
 ///   slow       φ = Re (1.45 + 8.55 Re^−0.9)                             1 < Re < 30      (2)
 ///   fast       φ = Re (1.1 + 4 Re^−½)                                   30 < Re < 10⁵    (3)
 /// Source: Choo and Casarella 1971, Hydrodynamic resistance of towed cables, J. Hydronautics 5(4), 126–131.
-/// Deviation from the source: φ steps by 1.7 % at Re = 1 and by 1.1 % at 30; within a factor of 1.25 of each,
-/// the formulas are blended (smooth step in ln Re), which makes φ continuously differentiable. Below Re = 0.1
-/// φ is continued along its tangent, so that drag is linear in the velocity. Above 10⁵ (3) continues, because
-/// ropes are too rough for a dependable drag crisis. The source's formula for friction along a cable gives a
-/// force over a velocity, not a coefficient; netting_twine.hpp uses it. All formulas are joined without
-/// branches, so that loops over flows vectorise.
+/// Deviation from the source: φ steps by 1.7 % at Re = 1 and by 1.1 % at 30; within a factor of 1.25 of these
+/// numbers, the formulas are blended (smooth step in ln Re), which makes φ continuously differentiable. Below
+/// Re = 0.1, φ is continued along its tangent, so that drag is linear in the velocity. Above 10⁵, (3)
+/// continues, because ropes are too rough for a dependable drag crisis. The source's formula for friction
+/// along a cable gives a force over a velocity, not a coefficient; netting_twine.hpp uses it. All formulas
+/// are joined without branches, so that loops over flows vectorise.
 inline constexpr double kCreepingBelow = 0.1, kBlend = 1.25;
 
-/// Returns φ by (1) below Re = kBlend. Above, where (1) has a pole at Re = 7.4, it returns a constant that is
-/// not used.
+/// Returns φ by (1) for Re up to kBlend. Above, it returns a constant that is not used, because (1) has a
+/// pole at Re = 7.4.
 template <class T>
 T creeping_phi(const T& Re) {
   using std::log;
@@ -56,15 +56,14 @@ T choo_casarella_phi(const T& reynolds) {
   return joined(slow_phi(reynolds), 1.1 * Re + 4.0 * sqrt(Re), Re, 30);  // (3)
 }
 
-/// φ after Takagi et al. 2004, who assume that twines of netting below a Reynolds number of 200, such as
-/// those of models, have a lower and steeper drag than a single cylinder:
+/// φ = Re C_n of a cylinder after Takagi et al. 2004. They assume that twines of netting below a Reynolds
+/// number of 200, such as those of models, have a lower and steeper drag than a single cylinder:
 ///   φ = Re 10^0.7 Re^−0.3                                               11 < Re < 200      (5)
 ///   φ = 1.2 Re                                                          200 < Re           (6)
 /// Source: Takagi, Shimizu, Suzuki, Hiraishi and Yamamoto 2004, Validity and layout of "NaLA": a net
 /// configuration and loading analysis system, Fisheries Research 66, 235–243, as quoted by Cheng, Li,
-/// Aarsæther and Ong 2020, Ships and Offshore Structures 15(sup1). Deviation: the step of 17 % at 200 is
-/// blended like those of (1) to (3), and below Re = 11, at the intersection of (5) and (2), (1) and (2) are
-/// used.
+/// Aarsæther and Ong 2020, Ships and Offshore Structures 15(sup1). Deviations: the step of 17 % at 200 is
+/// blended like those of (1) to (3); below Re = 11, where (5) and (2) intersect, (1) and (2) are used.
 inline constexpr double kTakagiFrom = 11, kTakagiTo = 200;
 
 template <class T>
@@ -92,8 +91,8 @@ T cylinder_phi(std::int64_t cylinder, const T& Re) {
 }
 
 /// A continuously differentiable curve over ln x through samples, without overshoot. It consists of cubic
-/// pieces whose slopes at the samples are harmonic means (Fritsch and Butland 1984, SIAM J. Sci. Stat.
-/// Comput. 5(2)) and zero at both ends; beyond the ends it is constant.
+/// pieces. Their slopes at the samples are harmonic means (Fritsch and Butland 1984, SIAM J. Sci. Stat.
+/// Comput. 5(2)), and zero at both ends; beyond the ends the curve is constant.
 class Curve {
  public:
   explicit Curve(const netloft_table& table) : t_(table) {}
@@ -124,10 +123,10 @@ class Curve {
   netloft_table t_;
 };
 
-/// Drag with a normal coefficient that depends on the Reynolds number: CrossFlow (1)–(5) with
+/// Drag with a normal coefficient C_n that depends on the Reynolds number: crossflow.hpp (1)–(5) with
 ///   Re = s D/ν,  k = ½ ρ ν φ(Re),  g = ½ ρ ν Re φ'(Re)                  (4)
-/// φ = Re C_n by (1)–(3), by (5) and (6), or from a table of C_n over Re when one is given. ν [m²/s]
-/// viscosity of the water.
+/// φ = Re C_n is given by (1)–(3), by (5) and (6), or by a table of C_n over Re. ν [m²/s] is the viscosity of
+/// the water.
 struct MorisonReynolds {
   static constexpr auto kind = NETLOFT_TWINE_LAW;
   struct Parameters {

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kStill = 1e-150;  // speed below which u² is zero [m/s]
 
-/// α and λ of (3) and their derivatives with respect to c, S and Re.
+/// The factors α and λ of (3) in screen.hpp and their derivatives with respect to c, S and Re.
 struct Shape {
   double alpha, alpha_c, alpha_S, alpha_Re, lambda, lambda_c, lambda_S, lambda_Re;
 };
@@ -30,7 +30,7 @@ Shape shape(const typename Model::Parameters& p, double c, double S, double Re) 
 
 Vec3<double> row(const double* a, std::size_t i) { return {a[i], a[kLanes + i], a[2 * kLanes + i]}; }
 
-/// The incidence of a flow on a screen, (1).
+/// The incidence of a flow on a screen, by (1) of screen.hpp.
 struct Incidence {
   Incidence(double r, const Vec3<double>& flow, const Vec3<double>& normal)
       : U(r * flow), sign(dot(U, normal) < 0 ? -1 : 1), n(sign * normal), u(norm(U)) {

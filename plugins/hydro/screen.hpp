@@ -17,15 +17,16 @@ struct ScreenParameters {
   std::int64_t cylinder = 0;
 };
 
-/// Force of the water on a square metre of netting, taken as a screen:
+/// Force of the water on a square metre of netting, holes included, taken as a screen:
 ///   U = r W,  u = ‖U‖,  e = U/u,  q = U·n ≥ 0,  c = q/u = cos θ         (1)
 ///   F = ½ ρ u² [C_D e + C_L e_L],  e_L = (n − c e)/sin θ                 (2)
 ///     = ½ ρ u [α U + λ q n],  C_L = λ sin θ cos θ,  α = C_D − λ c²       (3)
-/// n unit normal of the netting that points downstream; θ the angle between flow and normal (0: through the
-/// netting, 90°: along it); W [m/s] velocity of the water relative to the netting; r [1] factor on W behind
-/// other netting; ρ [kg/m³] density of the water. The area includes the holes. (3) has no division by sin θ,
-/// so that the force is regular for all θ and without flow. C_D and λ are functions of c, the solidity S and
-/// the Reynolds number u D/ν: `Model::coefficients`.
+/// n is the unit normal of the netting that points downstream, θ the angle between flow and normal (0:
+/// through the netting, 90°: along it), W [m/s] the velocity of the water relative to the netting, r [1] a
+/// factor on W behind other netting, ρ [kg/m³] the density of the water. C_D and C_L are the coefficients of
+/// drag and lift; `Model::coefficients` gives C_D and λ as functions of c, the solidity S and the Reynolds
+/// number Re = u D/ν, and the subscripts c, S and Re mark derivatives. (3) does not divide by sin θ, so that
+/// the force is regular for all θ and without flow.
 ///   ∂F/∂U = ½ρ [α (u I + U eᵀ) + U (∇α)ᵀ + λ n (q e + u n)ᵀ + q n (∇λ)ᵀ]   (4)
 ///     ∇α = u ∂α/∂U = α_c (n − c e) + α_Re Re e, and ∇λ alike
 ///   ∂F/∂n = ½ρ u [(α_c U + λ_c q n) eᵀ + λ (q I + n Uᵀ)]                    (5)
@@ -43,7 +44,7 @@ T loland_drag(const T& S) {
 
 inline constexpr double kGrazing = 0.05;
 
-/// cos θ, smoothed at grazing incidence: c² (2ε − c)/ε² below ε, c above.           (7)
+/// cos θ, smoothed at grazing incidence (θ near 90°): c² (2ε − c)/ε² for c < ε = kGrazing.             (7)
 ///
 /// It is exact at 90° and below 87°; in between C_D is lower by at most 0.0075 of its range.
 template <class T>
@@ -51,7 +52,7 @@ T rounded(const T& c) {
   return c < T(kGrazing) ? c * c * (2 * kGrazing - c) / (kGrazing * kGrazing) : c;
 }
 
-/// x limited to [lo, hi]; parabolas within d of lo and hi replace the kinks.             (8)
+/// Limits x to [lo, hi]; parabolas within d of lo and hi replace the kinks.             (8)
 template <class T>
 T held(const T& x, double lo, double hi, double d) {
   if (x < T(lo - d)) return T(lo);
@@ -68,7 +69,7 @@ T held_solidity(const T& S, double hi) {
 }
 
 /// Løland 1991, Current forces on and flow through fish farms, dr. ing. thesis, Norwegian Institute of
-/// Technology:
+/// Technology. S is the solidity, θ the angle between the flow and the normal of the netting:
 ///   C_D = 0.04 + (−0.04 + 0.33 S + 6.54 S² − 4.88 S³) cos θ             (9)
 ///   C_L = (−0.05 S + 2.3 S² − 1.76 S³) sin 2θ
 /// Measured for 0.13 < S < 0.32; S is limited to 0.35.
@@ -82,7 +83,7 @@ struct LolandModel {
 };
 
 /// Aarsnes, Rudi and Løland 1990, Current forces on cage, net deflection, in: Engineering for Offshore Fish
-/// Farming:
+/// Farming. S is the solidity, θ the angle between the flow and the normal of the netting:
 ///   C_D = 0.04 + (−0.04 + S − 1.24 S² + 13.7 S³) cos θ                  (10)
 ///   C_L = (0.57 S − 3.54 S² + 10.1 S³) sin 2θ
 /// Valid for S < 0.35; S is limited to 0.35.
@@ -96,11 +97,13 @@ struct AarsnesModel {
   }
 };
 
-/// Kristiansen and Faltinsen 2012, Modelling of current loads on aquaculture net cages, J. Fluids Struct. 34:
+/// Kristiansen and Faltinsen 2012, Modelling of current loads on aquaculture net cages, J. Fluids Struct. 34.
+/// S is the solidity, θ the angle between the flow and the normal of the netting:
 ///   C_D = C_0 (0.9 cos θ + 0.1 cos 3θ),  C_L = C_45 (sin 2θ + 0.1 sin 4θ)          (11)
 ///   C_0 = C_circ S (2 − S)/(2 (1 − S)²),  C_circ over x = log₁₀(Re), Re = u D/(ν (1 − S))  (12)
 ///   C_45 = (C_N − C_T)/√2,  C_N = C_0/2,  C_T = π C_N/(8 + C_N)                    (13)
-/// C_circ is a polynomial for 10^1.5 < Re < 10⁴ and constant beyond; S is limited to 0.5.
+/// The drag coefficient C_circ of a cylinder is a polynomial for 10^1.5 < Re < 10⁴ and constant beyond; S is
+/// limited to 0.5.
 struct KristiansenFaltinsenModel {
   using Parameters = ScreenParameters;
   template <class T>
@@ -127,17 +130,17 @@ struct KnottedParameters : ScreenParameters {
 /// Knotted trawl netting, from the abstract of an article in Nippon Suisan Gakkaishi (Bull. Japan. Soc. Sci.
 /// Fish.) 45(10), 1979; the article itself was not available:
 ///   C_D = S [C_90 sin^⅖ a + cos a (C_F + K sin a)],  C_L = S C_90 sin^(3/2) a cos a        (16)
-/// a is the angle of attack, 90° − θ, so that sin a = c. C_90 is the pressure drag at normal incidence, C_F
-/// and K are friction, all on the area of the twines. The drag at small angles is far higher than that of
-/// laws proportional to the sine. The abstract gives no coefficients. C_90 is that of a cylinder at Re =
-/// 1000, 1.23, plus 10 % for the knots, which the abstract mentions; C_F is 0.3 C_90 after Niño et al. 2020
-/// (nylon nets along the flow, 0.2 to 0.4); K is zero. Users should vary C_F and K to see their effect.
-/// Deviations: sin^⅖, sin^½ = sin^(3/2)/sin and K sin a have no derivative at grazing incidence, and cos a
-/// has none at normal incidence; within 3° of these angles, smooth functions replace them, by (7) and (17).
-/// Friction acts along the flow. S is limited to 0.5.
+/// S is the solidity and a the angle of attack: a = 90° − θ, sin a = c of (1). C_90 is the pressure drag at
+/// normal incidence; C_F and K are friction, along the flow. All are on the area of the twines. The drag at
+/// small angles is far higher than that of laws proportional to the sine. The abstract gives no coefficients.
+/// C_90 is therefore that of a cylinder at Re = 1000, 1.23, plus 10 % for the knots, which the abstract
+/// mentions; C_F is 0.3 C_90 after Niño et al. 2020 (nylon nets along the flow, 0.2 to 0.4); K is zero. Users
+/// should vary C_F and K to see their effect. Deviations from the abstract: sin^⅖, sin^½ = sin^(3/2)/sin and
+/// K sin a have no derivative at grazing incidence, and cos a has none at normal incidence; within 3° of
+/// these angles, smooth functions replace them, by (7) and (17). S is limited to 0.5.
 struct KnottedModel {
   using Parameters = KnottedParameters;
-  /// c^p for c ≥ ε; below, a cubic in c with the same value and slope at ε.                (17)
+  /// c^p for c ≥ ε = kGrazing. Below ε it is a cubic in c with the same value and slope at ε.     (17)
   template <class T>
   static T power(const T& c, double p) {
     using std::pow;
@@ -145,7 +148,7 @@ struct KnottedModel {
     const T y = (1 / kGrazing) * c;
     return std::pow(kGrazing, p) * (y * y * ((3.0 - p) + (p - 2.0) * y));
   }
-  /// √(1 − c²), smoothed like (7) where it vanishes.
+  /// sin θ = √(1 − c²), smoothed like (7) near normal incidence, where it vanishes.
   template <class T>
   static T along(const T& c) {
     using std::sqrt;
@@ -161,13 +164,14 @@ struct KnottedModel {
   }
 };
 
-/// Factor on the coefficients at a Reynolds number Re = u D/ν other than that of the measurements, Re₀:
+/// Factor on the coefficients of a screen at a Reynolds number Re = u D/ν that differs from that of the
+/// measurements, Re₀:
 ///   C_n(Re)/C_n(Re₀)                                                     (15)
-/// with the drag coefficient C_n of a cylinder by Choo and Casarella 1971, or by Takagi et al. 2004
+/// C_n is the drag coefficient of a cylinder by Choo and Casarella 1971, or by Takagi et al. 2004
 /// (reynolds.hpp). The factor is 1 if Re₀ = 0. It assumes that a twine in a screen depends on the Reynolds
 /// number like a single cylinder, which is an estimate for Re below about 500. Below Re = 2 (1 mm/s for a
-/// twine of 2.4 mm), 1 + Re²/4 replaces Re; both have the same value and slope at Re = 2. Otherwise the force
-/// would be linear in the velocity with coefficients that depend on an angle, and therefore not
+/// twine of 2.4 mm), 1 + Re²/4 replaces Re, with the same value and slope at Re = 2. Otherwise the force near
+/// rest would be linear in the velocity with coefficients that depend on an angle, and therefore not
 /// differentiable in water at rest.
 
 template <class T>
@@ -177,8 +181,8 @@ T reynolds_factor(const ScreenParameters& p, const T& Re) {
   return cylinder_phi(p.cylinder, at) / at / (cylinder_phi(p.cylinder, p.measured_at) / p.measured_at);
 }
 
-/// r of (1): the given shielding, times Løland's 1 − 0.46 C_D(S, θ = 0) if netting of the same solidity is
-/// upstream, as for the rear of a cage or the lower panel of a trawl.                               (14)
+/// The factor r of (1): the given shielding, times Løland's 1 − 0.46 C_D(S, θ = 0) if netting of the same
+/// solidity is upstream, as for the rear of a cage or the lower panel of a trawl.                (14)
 template <class T>
 T flow_left(const ScreenParameters& p, const T& S) {
   if (p.wake == static_cast<std::int64_t>(Wake::none)) return T(p.shielding);

@@ -6,12 +6,11 @@
 namespace netloft::lumped {
 
 /// A bar of a lumped-mass net between two nodes, each of which stands for a group of knots of diamond
-/// netting. The bar represents `parallel` twines side by side with the same stretch. The model is that of
-/// bars (1)–(5), plugins/common/bars.hpp, with N = `parallel`. If one bar is one twine (a cell of one mesh, N
-/// = 1), this is the real net, knot by knot, without the resistance of its knots to opening, which is not
-/// modelled. Knots have no drag of their own. Source: the usual lumped-mass model with groups of meshes:
-/// Theret, Etude de l'équilibre de surfaces réticulées placées dans un courant uniforme (thesis, Nantes
-/// 1993); Takagi et al., Fisheries Science 70 (2004).
+/// netting. The bar represents `parallel` twines side by side with the same stretch; its forces are (1)–(5)
+/// of plugins/common/bars.hpp with N = `parallel`. If one bar is one twine (N = 1), the model is the real
+/// net, knot by knot, except that knots do not resist opening. Knots have no drag of their own. Source: the
+/// usual lumped-mass model with groups of meshes: Theret, Etude de l'équilibre de surfaces réticulées placées
+/// dans un courant uniforme (thesis, Nantes 1993); Takagi et al., Fisheries Science 70 (2004).
 struct Net {
   static constexpr auto stencil = NETLOFT_BAR;
 

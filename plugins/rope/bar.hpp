@@ -5,15 +5,16 @@
 
 namespace netloft::rope {
 
-/// Straight two-node bar of a rope; the spring of section 2.3 of the trawl-gear paper with a slack branch.
-/// The model is that of bars (1)–(5), plugins/common/bars.hpp, with N = 1, and in addition
+/// Straight two-node bar of a rope: the spring of section 2.3 of the trawl-gear paper, with a small stiffness
+/// when slack. Its forces are (1)–(5) of plugins/common/bars.hpp with N = 1, and in addition
 ///   E = T_c l                      at constant tension, no spring    (1)
 ///   l₀(t) = σ(t) l₀                rope is paid out or hauled in     (2)
-/// T_c [N] tension that a winch or a weight over a pulley holds at any length; σ [1] from a table, linear
-/// between its times, the same for all bars of a rope. Length, weight, drag and mass are proportional to σ;
-/// sag.hpp uses l₀. If the weight in water w [N/m] is given, the weight is computed with the density
+/// T_c [N] is the tension that a winch or a weight over a pulley holds at any length l. σ [1] comes from a
+/// table, linear between its times, and is the same for all bars of a rope; length, weight, drag and mass are
+/// proportional to σ, but sag.hpp uses the constant l₀. If the weight in water w [N/m] is given, the weight
+/// is computed with the density
 ///   ρ = ρ_w + w/(g A),  A = (π/4) D²                                (3)
-/// and the density of the rope is used for inertia only.
+/// (ρ_w density of the water, D diameter), and the density of the rope is used for inertia only.
 struct Bar {
   static constexpr auto stencil = NETLOFT_BAR;
 
@@ -30,8 +31,7 @@ struct Bar {
   struct Lanes : bars::Lanes {
     double constant_tension[kLanes], weight_in_water[kLanes];
     netloft_table length_share[kLanes];
-    // changes: the length of some rope changes in time by a table; is_weighed: some rope has a weight in
-    // water
+    // changes: the length of some rope depends on time. is_weighed: some rope has a given weight in water.
     bool changes, is_weighed;
   };
 
@@ -41,7 +41,7 @@ struct Bar {
   /// the rate is that of the segment before the row.
   static double growth_at(const netloft_table& table, double time);
   /// Returns the numbers of the bars at the time of the tile: `lanes` itself if no rope changes its length,
-  /// else `room` with the lengths (2).
+  /// otherwise `room`, filled with the lengths (2).
   static const Lanes& now(const Lanes& lanes, const netloft_tile& t, Lanes& room);
   /// The density for the weight of a rope [kg/m3]: (3), or `density` if no weight in water is given.
   static double density_by_weight(double weight_in_water, double density, double diameter,
@@ -75,8 +75,8 @@ struct Bar {
   };
 
   struct Weight {
-    /// Returns the numbers of the bars with the densities of (3): `at_time` itself if no rope has a weight in
-    /// water, else `room`.
+    /// Returns the numbers of the bars with the densities (3): `at_time` itself if no rope has a given weight
+    /// in water, otherwise `room`.
     static const Lanes& weighed(const Lanes& at_time, const netloft_tile& t, Lanes& room);
     static Status tile(const Family<Bar>& f, netloft_tile& t) {
       Lanes room;

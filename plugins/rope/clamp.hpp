@@ -6,15 +6,15 @@
 
 namespace netloft::rope {
 
-/// A clamp between two ropes that meet at a node, which maintains the angle between the bars.
+/// A clamp between two ropes that meet at a node. It maintains the angle between their bars at this node.
 ///   δ = φ − β           deviation of the turning angle φ (turn.hpp) from the angle β at rest     (1)
 ///   E = −2κ ln cos(δ/2),  κ = 4 EI/(L₁ + L₂)                                                     (2)
 ///   E = (2 EI/(L₁L₂)) (L₁ + L₂ − √Q),  Q = L₁² + L₂² + 2 L₁L₂ cos δ                              (3)
-///   dE/dc = −E_φ/s,  d²E/dc² = E_φφ/s² − E_φ c/s³,  s = sin φ                                     (4)
-/// EI [N m²] bending stiffness, L [m] unstretched bars. The energy is (2) or (3), by `curvature`: (1) or (3)
-/// of rope_bending.hpp, for a rope that is bent at rest. While the bars are in line, the plane in which a
-/// clamp with β > 0 bends them is unknown, and the clamp exerts no force. Bars folded back on each other are
-/// outside the domain.
+///   dE/dc = −E_φ/s,  d²E/dc² = E_φφ/s² − E_φ c/s³,  c = cos φ,  s = sin φ                         (4)
+/// EI [N m²] is the bending stiffness, L₁ and L₂ [m] are the unstretched bars, subscripts φ are derivatives.
+/// The parameter `curvature` chooses (2) or (3), which for β = 0 are (1) and (3) of rope_bending.hpp. While
+/// the bars are in line, the plane in which a clamp with β > 0 bends them is unknown, and the clamp exerts no
+/// force. Bars folded back on each other are outside the domain.
 struct Clamp {
   static constexpr auto stencil = NETLOFT_BAR_PAIR;
   enum Curvature : std::int64_t { of_bars, of_nodes };

@@ -6,14 +6,14 @@
 
 namespace netloft::rope {
 
-/// Bending of a rope against its mirror image at a plane of symmetry: the half of the bending energy between
-/// a bar and its image that belongs to this side.
+/// Bending of a rope at a plane of symmetry: half the bending energy between a bar and its mirror image, the
+/// half that belongs to the modelled side.
 ///   w = x₁ − x₀,  x₀ on the plane,  q = ± w·e/‖w‖ = cos(φ/2),  φ the turning angle at x₀       (1)
-///   E = −(2 EI/L) ln q              half of bending (1) with L₁ = L₂ = L                        (2)
-///   E = (2 EI/L) (1 − q)            half of bending (3), the circle through three nodes          (3)
-/// e is the axis normal to the plane, + for a rope on its positive side, EI [N m²] bending stiffness, L [m]
-/// unstretched bar. A bar in the plane is folded onto its image, and a bar beyond the plane has passed
-/// through its image: both are outside the domain.
+///   E = −(2 EI/L) ln q              half of (1) of rope_bending.hpp with L₁ = L₂ = L            (2)
+///   E = (2 EI/L) (1 − q)            half of (3) there, the circle through three nodes           (3)
+/// e is the axis normal to the plane, the sign + for a rope on its positive side, EI [N m²] the bending
+/// stiffness, L [m] the unstretched bar. A bar in the plane is folded onto its image, and a bar beyond the
+/// plane has passed through its image: both are outside the domain.
 struct Mirror {
   static constexpr auto stencil = NETLOFT_BAR;
   static constexpr double kFolded = 1e-9;  // q below which the bar is folded onto its image

@@ -10,15 +10,16 @@ namespace netloft::rope {
 /// turning angle φ between their directions (turn.hpp), c = cos φ:
 ///   E = −κ ln((1 + c)/2),  κ = 4 EI/(L₁ + L₂)                                              (1)
 ///   dE/dφ = EI/R,  R = (L₁ + L₂)/(4 tan(φ/2))                                              (2)
-/// R is the radius of the circle that is tangent to both bars at their middles if they are equally long.
-/// Alternatively, for the circle through the three nodes, with the chord √Q:
+/// R is the radius of the circle that touches both bars at their middles if they are equally long. The
+/// alternative is the circle through the three nodes, with the chord √Q:
 ///   E = (2 EI/(L₁L₂)) (L₁ + L₂ − √Q) = 8 EI h/(L₁ + L₂ + √Q),  h = (1 − c)/2               (3)
 ///   Q = L₁² + L₂² + 2 L₁L₂ c,  dE/dφ = 2 EI sin φ/√Q = EI/R                                (4)
-/// EI [N m²] bending stiffness. For small φ both moments are EI φ/L, L = (L₁ + L₂)/2; for large φ (4) is
-/// weaker, by cos(φ/2) for equal bars. As functions of c, neither is singular in a straight rope. A rope
-/// folded back on itself (φ → π) or a bar of zero length has no curvature: outside the domain. Bars of
-/// different ropes at a joint do not bend each other. Source: (1) the trawl-gear paper, eq. (1); (4) the
-/// moment of FEMNET (D. Priour) with unstretched lengths, which make it the derivative of an energy.
+/// EI [N m²] is the bending stiffness. For small φ, both moments dE/dφ are EI φ/L with L = (L₁ + L₂)/2; for
+/// large φ, (4) is weaker, by cos(φ/2) for equal bars. As functions of c, neither energy is singular in a
+/// straight rope. A rope folded back on itself (φ → π) and a bar of zero length have no curvature; they are
+/// outside the domain. Bars of different ropes at a joint do not bend each other. Source: (1) the trawl-gear
+/// paper, eq. (1); (4) the moment of FEMNET (D. Priour), with unstretched lengths so that it is the
+/// derivative of an energy.
 struct Bending {
   static constexpr auto stencil = NETLOFT_BAR_PAIR;
   enum Curvature : std::int64_t { of_bars, of_nodes };

@@ -4,7 +4,8 @@
 
 namespace netloft::rope {
 
-/// Two neighbouring bars, and what an energy E(c) of the cosine of the angle between them needs:
+/// Two neighbouring bars w₁, w₂ of lengths l₁, l₂, and the derivatives that an energy E(c) of the cosine c of
+/// the angle between them needs:
 ///   w₁ = x₁ − x₀,  w₂ = x₂ − x₁,  t = w/l,  c = t₁·t₂ = cos φ,  φ the turning angle       (1)
 ///   ∂c/∂w₁ = (I − t₁t₁ᵀ) t₂/l₁ = g₁,  ∂c/∂w₂ = (I − t₂t₂ᵀ) t₁/l₂ = g₂                      (2)
 ///   ∂²c/∂w₁∂w₁ = −(t₁g₁ᵀ + g₁t₁ᵀ)/l₁ − c (I − t₁t₁ᵀ)/l₁²                                   (3)
@@ -47,7 +48,7 @@ struct OfCosine {
   double E, E1, E2;
 };
 
-/// Fills in energy, force and tangent of an energy f of c.
+/// Fills in energy, force and tangent for an energy f that is a function of c.
 inline void add_of_cosine(const Turn& q, const OfCosine& f, const State<3>& s, Local<3>& out) {
   constexpr double chord[2][3] = {{-1, 1, 0}, {0, -1, 1}};  // w_k = Σ chord[k][p] x_p
   out.energy = f.E;

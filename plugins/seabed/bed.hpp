@@ -8,20 +8,20 @@
 
 namespace netloft::seabed {
 
-/// Contact and friction between the bed of the scene, of any shape, and a node to which L metres of rope or
-/// twine with the radius r belong.
-///   g = z − z_b(x, y) − r,  ∇g = (−∂z_b/∂x, −∂z_b/∂y, 1)       gap, measured vertically            (1)
-///   E = k m L f(−g),  r = k L (f ∇m − m f' ∇g)                f of plane.hpp (2)
+/// Contact and friction between a node and the bed of the scene, of any shape z_b(x, y). L metres of rope or
+/// twine belong to the node; their radius, or that of bobbins or discs that lift a footrope off the bed, is
+/// R.
+///   g = z − z_b(x, y) − R,  ∇g = (−∂z_b/∂x, −∂z_b/∂y, 1)       gap, measured vertically            (1)
+///   E = k m L f(−g),  r = k L (f ∇m − m f' ∇g)                f of plane.hpp (2), residual r
 ///   K = k L (m (f'' ∇g ∇gᵀ + f' ∇∇z_b) − f' (∇g ∇mᵀ + ∇m ∇gᵀ) + f ∇∇m)                              (2)
 ///   N = k m L f' ‖∇g‖,  n = ∇g/‖∇g‖                            normal force                         (3)
 ///   w = (I − n nᵀ)(v − v_b),  r = q μ N w h(‖w‖)               on a moving bed, h of plane.hpp (9)     (4)
 ///   r = η/(2π f₀) k m L s(−g/ε) (∇g·v) ∇g,  s(y) = y² (3 − 2y), 0 below 0, 1 beyond 1            (5)
-/// (5) is the energy loss of the bed in compression, with the loss factor η at the frequency f₀, as for
-/// Kelvin and Voigt's solid, but limited by the force (2), because a bed does not pull. m and q are local
-/// factors on stiffness and friction at (x, y), 1 by default. v_b is the velocity of the ground. On ground at
-/// rest, a node sticks up to the force q μ N and then slides, by plane.hpp (4) to (7) with n and N of (3) and
-/// the shear stiffness m κ. r is the radius of bobbins or discs that lift a footrope off the bed. k, κ, ε and
-/// μ are those of plane.hpp.
+/// m and q are local factors on stiffness and friction at (x, y), 1 by default; v and v_b are the velocities
+/// of the node and of the ground; k, κ, ε and μ are those of plane.hpp. (5) is the energy loss of the bed in
+/// compression, with the loss factor η at the frequency f₀, as for Kelvin and Voigt's solid, but limited by
+/// the force (2), because a bed does not pull. On ground at rest, a node sticks up to the force q μ N and
+/// then slides, by plane.hpp (4) to (7) with n and N of (3) and the shear stiffness m κ.
 struct OnBed {
   static constexpr auto stencil = NETLOFT_NODE;
   struct Parameters {
@@ -43,7 +43,8 @@ struct OnBed {
   }
   static void check(const Parameters&, const Data& d) { Plane::check({}, d); }
 
-  /// The length L of (2) [m]. A node without rope or twine counts as one metre per piece, such as a weight.
+  /// The length L of (2) [m]. A node without rope or twine counts as one metre per piece (a weight, for
+  /// example).
   static double metres_of(const Data& d) { return d.length > 0 ? d.length : d.pieces; }
   /// The stiffness k L of (2).
   static double stiffness_of(const Parameters& p, const Data& d) { return p.stiffness * metres_of(d); }
@@ -67,7 +68,8 @@ struct OnBed {
                               const MovingNodes<T, 1>& m);
   };
 
-  /// The terms of friction on a bed at rest: d of plane.hpp (4), the shear spring m κ L, the limit q μ N.
+  /// The terms of friction on a bed at rest: displacement d of plane.hpp (4), shear spring m κ L, limit q μ
+  /// N.
   template <class T>
   struct Grip {
     Vec3<T> d{};

@@ -81,9 +81,9 @@ Status Plane::Contact::tile(const Family<Plane>& family, netloft_tile& t) {
 
 namespace {
 
-/// The friction (4)–(7) of one node on the bed. After sliding, (7) places the anchor where (5) equals (6) up
-/// to rounding; such a node counts as sticking, because otherwise rounding would decide which nodes of a line
-/// at rest stick.
+/// The friction (4)–(7) of plane.hpp for one node on the bed. After sliding, (7) places the anchor where (5)
+/// equals (6) up to rounding. Such a node counts as sticking; otherwise rounding would decide which nodes of
+/// a line at rest stick.
 struct Hold {
   double n[3], unit[3];       // normal n, and direction d̂
   double way, limit, spring;  // distance |d|, largest force μ N, stiffness κ L
@@ -118,8 +118,8 @@ Hold hold_node(const Plane::Lanes& p, const netloft_tile& t, std::size_t i) {
 }
 
 void add_tangent(const Hold& b, double cu, std::size_t i, double* tangent) {
-  // While the node sticks, the spring resists along every direction of the bed. While it slides, only
-  // rotation of d̂ and changes of N contribute.
+  // While the node sticks, the spring resists in all directions along the bed. While it slides, only the
+  // rotation of d̂ and changes of the normal force N contribute.
   const double across = b.slides() ? b.limit / b.way : b.spring, along = b.slides() ? 0 : b.spring;
   const double press = b.slides() ? b.limit_slope : 0;
   for (int r = 0; r < 3; ++r)
@@ -139,7 +139,7 @@ void note_anchor(const Hold& b, const netloft_tile& t, std::size_t i, double* st
   state_new[at(3, i)] = 1;
 }
 
-/// The friction (8), (9) of one node on a moving bed.
+/// The friction (8), (9) of plane.hpp for one node on a moving bed.
 struct Drag {
   double n[3], w[3];   // normal, velocity over the bed
   Plane::Slip slip;    // slip at the speed |w|
