@@ -44,8 +44,8 @@ struct Calls<SuiteSparse_long> {
   static constexpr auto* free_dense = cholmod_l_free_dense;
 };
 
-/// The lower triangle of P A Pᵀ. CHOLMOD would permute A in every factorisation, through two transposes and
-/// with allocations; here the target of each entry is computed once.
+/// The lower triangle of P A Pᵀ, where the target of each entry of A is computed once. CHOLMOD would permute
+/// A in every factorisation, through two transposes and with allocations.
 template <class Index>
 class PermutedMatrix {
  public:
@@ -109,7 +109,8 @@ cholmod_sparse PermutedMatrix<Index>::view() {
   return view;
 }
 
-/// A pattern in CHOLMOD's form, without values. Indices of 64 bits are copies; CHOLMOD only reads them.
+/// A pattern in CHOLMOD's form, without values. If the indices have 64 bits, they are copies of those of the
+/// pattern; CHOLMOD only reads them.
 template <class Index>
 class PatternView {
  public:
@@ -207,12 +208,12 @@ class CholmodFactorisation final : public Factorisation, public ForeseesMemory {
   std::string ordering_;
 };
 
-/// Neighbouring supernodes are merged into one of n columns if n ≤ 20, if n ≤ 48 and at most a fraction of
-/// 0.8 of its entries are zeros, if n ≤ 96 and the fraction is at most 0.2, or if it is at most 0.08. With
-/// three unknowns per node, larger blocks are better than CHOLMOD's own 4, 16, 48, 0.8, 0.1, 0.05: a
-/// factorisation got 20–27 % faster for 10⁴ unknowns, 7 % (triangles) to 23 % (squares) for 10⁵, and 6–9 %
-/// for 3·10⁵; a solve got 10 % slower. None of seven other sets, on tangents of 10³ to 3·10⁵ unknowns, gains
-/// more than 5 %.
+/// Neighbouring supernodes are merged into one of n columns in four cases: n ≤ 20; n ≤ 48 with at most a
+/// fraction of 0.8 of zeros among its entries; n ≤ 96 with at most 0.2; any n with at most 0.08. With three
+/// unknowns per node, larger blocks are better than CHOLMOD's own 4, 16, 48, 0.8, 0.1, 0.05: a factorisation
+/// got 20–27 % faster for 10⁴ unknowns, 7 % (triangles) to 23 % (squares) for 10⁵, and 6–9 % for 3·10⁵; a
+/// solve got 10 % slower. None of seven other sets, on tangents of 10³ to 3·10⁵ unknowns, gains more than 5
+/// %.
 void merge_supernodes(cholmod_common& common) {
   constexpr std::size_t kColumns[] = {20, 48, 96};
   constexpr double kZeros[] = {0.8, 0.2, 0.08};
@@ -220,11 +221,11 @@ void merge_supernodes(cholmod_common& common) {
   std::copy(std::begin(kZeros), std::end(kZeros), common.zrelax);
 }
 
-/// Supernodal factorisations of nets that AMD has ordered take 0.9 to 1.04 times as long as after METIS for
-/// 1000 to 4400 nodes (with up to 1.1 times the operations), 0.99 to 1.09 times for 6000, and 1.1 to 1.2
-/// times for 16 000. METIS itself takes as long as one or two factorisations. For panels that dissection has
-/// ordered, the ratio is 0.72 (6500 nodes), 0.85 (26 000) and 0.91 (10⁵), with 0.84, 0.88 and 0.94 of the
-/// operations.
+/// From 5000 nodes on, `dissection` is tried beside AMD. Below, AMD suffices: supernodal factorisations of
+/// nets ordered by AMD take 0.9 to 1.04 times as long as after METIS for 1000 to 4400 nodes (with up to 1.1
+/// times the operations), 0.99 to 1.09 times for 6000, and 1.1 to 1.2 times for 16 000; METIS itself takes as
+/// long as one or two factorisations. For panels ordered by dissection instead of METIS, the ratio is 0.72
+/// (6500 nodes), 0.85 (26 000) and 0.91 (10⁵), with 0.84, 0.88 and 0.94 of the operations.
 constexpr LargeNets kLargeNets{5000, OrderingMethod::dissection};
 
 template <class Index>
@@ -260,7 +261,8 @@ bool FactorsOf<Index>::analyse(const SparsePattern& pattern, const NodeOrdering&
   return true;
 }
 
-/// Memory of the supernodes of L with their zeros, of the largest update, and of the workspace of a solution.
+/// Memory of the supernodes of L with their zeros, of the largest update and of the workspace of a solve
+/// [bytes].
 template <class Index>
 double FactorsOf<Index>::bytes() const {
   const auto n = static_cast<double>(factor_->n);
@@ -301,8 +303,8 @@ FactorResult FactorsOf<Index>::factorise(std::span<const double> values) {
 template <class Index>
 void FactorsOf<Index>::solve(std::span<const double> rhs, std::span<double> x) {
   assert(rhs.size() == factor_->n && x.size() == factor_->n);
-  // The memory pool is not used here: the workspace stays allocated, and would keep a block that `factorise`
-  // has returned to the pool and needs again.
+  // The workspace stays allocated between calls. Therefore it must not come from the memory pool, where it
+  // would keep a block that `factorise` has returned and needs again.
   cholmod_dense b = view_of(const_cast<double*>(rhs.data()), rhs.size());  // CHOLMOD only reads b
   cholmod_dense result = view_of(x.data(), x.size());
   cholmod_dense* handle = &result;

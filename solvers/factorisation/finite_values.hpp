@@ -7,8 +7,8 @@
 
 namespace netloft {
 
-/// Returns the column of the first value that is infinite or NaN, and -1 if all are finite. BLAS does not
-/// report such values.
+/// Returns the column of the first value that is infinite or NaN, or -1 if all are finite. The check is
+/// needed because BLAS does not report such values.
 std::int32_t find_column_not_finite(const SparsePattern& pattern, std::span<const double> values);
 
 }  // namespace netloft

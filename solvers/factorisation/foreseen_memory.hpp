@@ -8,8 +8,8 @@ namespace netloft {
 class ForeseesMemory {
  public:
   virtual ~ForeseesMemory() = default;
-  /// Memory that the first factorisation and its solutions need in addition to that of `analyse` [bytes]; 0
-  /// if it is not known.
+  /// Memory [bytes] that the first factorisation and its solves need in addition to that of `analyse`; 0 if
+  /// unknown.
   virtual double factor_bytes() const = 0;
 };
 

@@ -11,11 +11,12 @@ namespace {
 
 using wide::Eight, wide::Four, wide::Two;
 
-// a pivot of at least this fraction of the norm of the entries below it is accepted without exchange
+// A pivot of at least this fraction of the norm of the entries below it is accepted without exchange of rows.
 constexpr double kSuits = 0.1;
 constexpr std::ptrdiff_t kBlock = kPivotBlock;
 
-/// The number of columns of a tile, such that its sums and a column of A fit into the registers.
+/// The number of columns of a tile (a small block of the product) for which its sums and a column of A fit
+/// into the registers.
 template <class Register>
 constexpr int kTileColumns = Register::kLanes == 2   ? 3
                              : Register::kLanes == 4 ? 6
@@ -70,8 +71,8 @@ NETLOFT_INLINE void subtract_product(std::ptrdiff_t m, std::ptrdiff_t n, std::pt
 }
 
 /// Computes X ← X S T⁻¹ row by row in the registers, for a diagonal S and a unit upper triangular T of kWidth
-/// columns. Adds the squares of all X to `squares`. The number of rows is rounded up to a multiple of
-/// kTileRows.
+/// columns. Adds the squares of all numbers of the new X to `squares`. The number of rows is rounded up to a
+/// multiple of kTileRows.
 template <class Register, int kWidth>
 NETLOFT_INLINE void solve_rows_of_block(std::ptrdiff_t rows, double* x, std::ptrdiff_t stride, Factor T,
                                         const double* S, double& squares) {
@@ -113,12 +114,12 @@ NETLOFT_INLINE void solve_block(std::ptrdiff_t width, std::ptrdiff_t rows, doubl
   }
 }
 
-/// Ones between zeros. Kernels read kTileRows numbers from an offset into this array: an offset into the
-/// first zeros gives a mask that ends in ones; an offset into the ones gives a mask that ends in zeros.
+/// Ones between zeros, from which kernels read masks of kTileRows numbers. A mask that begins in the first
+/// zeros ends in ones; a mask that begins in the ones ends in zeros.
 constexpr double kOnesBetween[3 * kTileRows] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1,
                                                 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0};
 
-/// The kTileRows factors of the rows from `row` on: one for rows beyond k and before n, zero for others.
+/// The kTileRows factors of the rows from `row` on: 1 for rows beyond k and before n, 0 for all others.
 /// (Compilers do not vectorise comparisons of vectors.)
 struct OwnRows {
   NETLOFT_INLINE OwnRows(std::ptrdiff_t row, std::ptrdiff_t k, std::ptrdiff_t n)
@@ -171,8 +172,8 @@ NETLOFT_INLINE void subtract(double a, const double* x, std::ptrdiff_t count, do
 }
 
 /// Computes a column of L below its pivot k, in the rows before n, and subtracts its contribution from the
-/// following columns before `end`. All pivots of a block use the same tiles of rows, so that a tile is read
-/// with the width with which it was written. Returns one over the pivot.
+/// following columns before `end`. All pivots of a block use the same tiles of rows, so that the processor
+/// reads a tile with the width with which it was written. Returns one over the pivot.
 template <class Register>
 NETLOFT_INLINE double eliminate_column(double* left, std::ptrdiff_t stride, std::ptrdiff_t begin,
                                        std::ptrdiff_t k, std::ptrdiff_t n, std::ptrdiff_t end) {
@@ -288,8 +289,8 @@ NETLOFT_INLINE void solve_rows(const FrontPanels& f, std::ptrdiff_t begin, std::
   }
 }
 
-/// Subtracts L U of the pivots from `begin` to `end` in the columns from `end` to `last` and the rows from
-/// `from` to `to`.
+/// Subtracts the product L U of the pivots from `begin` to `end`, in the columns from `end` to `last` and the
+/// rows from `from` to `to`.
 template <class Register>
 NETLOFT_INLINE void subtract_rows(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
                                   std::ptrdiff_t last, std::ptrdiff_t from, std::ptrdiff_t to) {

@@ -6,10 +6,12 @@
 
 namespace netloft {
 
-/// The part of the factors that belongs to a front of n pivots and u other unknowns, stored by columns:
+/// The part of the factors that belongs to a front, a dense step of the elimination with n pivots and u other
+/// unknowns (front_tree.hpp), stored by columns:
 ///   left   (n + u) × n   L₁₁\U₁₁ above L₂₁, column stride left_stride(n, u)
 ///   upper  u × n         U₁₂ᵀ, column stride upper_stride(u)
-/// Columns are padded, so that all loops have steps of kTileRows.
+/// L₁₁\U₁₁ is one square with L₁₁ below and U₁₁ on and above the diagonal. Columns are padded, so that all
+/// loops have steps of kTileRows.
 struct FrontPanels {
   std::int32_t pivots, others;
   double *left, *upper;
@@ -29,33 +31,35 @@ struct Elimination {
   bool column_is_zero = false;   // whether the whole column of that pivot is zero
 };
 
-/// Number of pivots that are eliminated one by one before the rest is updated.
+/// Number of pivots that are eliminated one by one before the columns after them are updated.
 inline constexpr std::ptrdiff_t kPivotBlock = 8;
 
-/// The number of pivots before `end` that update, in one product, the same number of columns after `end`. It
-/// is the largest power of two that divides `end`: blocks are merged in pairs, pairs of pairs and so on.
+/// The number of pivots before `end` that update the same number of columns after `end` in one product. It is
+/// the largest power of two that divides `end`: blocks are merged in pairs, then pairs of pairs and so on.
 constexpr std::ptrdiff_t eliminated_together(std::ptrdiff_t end) { return end & -end; }
 
-/// The dense operations on a front, for the instruction set of this processor:
+/// The dense operations on a front, for the instruction set of this processor. A₁₁ is the square of the n
+/// pivots, A₂₁ the rows of the u other unknowns below it, A₁₂ their columns beside it, C the u × u update for
+/// the parent front:
 ///   P A₁₁ = L₁₁ U₁₁,  L₂₁ = A₂₁ U₁₁⁻¹,  U₁₂ = L₁₁⁻¹ P A₁₂                 (1)
 ///   C ← C − L₂₁ U₁₂                                                       (2)
 /// P exchanges rows of A₁₁ only: the largest entry of a column becomes its pivot if the diagonal entry is
 /// less than a tenth of the norm of the entries below (threshold pivoting; Duff, Erisman, Reid 1986). The
-/// elimination stops if the columns of L₂₁ of one block together have a norm of more than 1/least_pivot.
+/// elimination stops if the columns of L₂₁ of one block together have a norm above 1/least_pivot.
 struct FrontKernels {
-  /// Computes (1). `exchanged[k]` receives the row with which row k was exchanged.
+  /// Computes (1). `exchanged[k]` becomes the row with which row k was exchanged.
   Elimination (*eliminate)(const FrontPanels& front, double least_pivot, std::int32_t* exchanged);
   /// Computes (2); the columns of C have the stride of `upper`.
   void (*update)(const FrontPanels& front, double* C);
-  /// y₁ ← L₁₁⁻¹ y₁, y₂ ← y₂ − L₂₁ y₁, with y = (y₁, y₂) followed by kTileRows numbers. P must have been
-  /// applied to y.
+  /// y₁ ← L₁₁⁻¹ y₁, y₂ ← y₂ − L₂₁ y₁, where y consists of y₁, y₂ and kTileRows spare numbers. The caller has
+  /// applied P to y.
   void (*forward)(const FrontPanels& front, double* y);
-  /// y₁ ← U₁₁⁻¹ (y₁ − U₁₂ y₂); the numbers after y₂ are set to zero.
+  /// y₁ ← U₁₁⁻¹ (y₁ − U₁₂ y₂). The numbers after y₂ are set to zero.
   void (*backward)(const FrontPanels& front, double* y);
 
   // The functions below compute (1) and (2) in pieces for several threads. Pieces for different ranges `from`
-  // to `to` are independent of each other; ranges of rows begin at a multiple of kTileRows after the first
-  // row. Computes L₁₁\\U₁₁ and L₂₁ in the columns of one block of pivots.
+  // to `to` are independent; ranges of rows begin at a multiple of kTileRows after the first row. The first
+  // function computes L₁₁\\U₁₁ and L₂₁ in the columns of one block of pivots.
   Elimination (*eliminate_block)(const FrontPanels& front, std::ptrdiff_t begin, std::ptrdiff_t end,
                                  double least_pivot, std::int32_t* exchanged);
   /// Computes U₁₁ in the rows from `begin` to `end` and the columns from `from` to `to`.
@@ -72,8 +76,7 @@ struct FrontKernels {
   void (*update_columns)(const FrontPanels& front, double* C, std::ptrdiff_t from, std::ptrdiff_t to);
 };
 
-/// The best kernels for this processor. The second function returns all kernels that run on it, the best
-/// last.
+/// The best kernels for this processor, and all kernels that run on it, with the best last.
 const FrontKernels& front_kernels();
 std::vector<FrontKernels> front_kernels_here();
 

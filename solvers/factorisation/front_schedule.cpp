@@ -9,9 +9,9 @@
 namespace netloft {
 namespace {
 
-// Number of branches (subtrees) that a thread gets on average. In nested dissections of nets, each level of
-// the tree has 0.7 times the work of the level above, so that smaller branches would leave more work to the
-// trunk (the rest of the tree).
+// Number of branches (subtrees) per thread, on average. In nested dissections of nets, each level of the tree
+// has 0.7 times the work of the level above; smaller branches would leave more work to the trunk, the fronts
+// that belong to no branch.
 constexpr double kBranchesPerThread = 2;
 
 class Scheduler {
@@ -42,8 +42,8 @@ class Scheduler {
 
   std::size_t parent(std::size_t s) const { return static_cast<std::size_t>(tree_.fronts[s].parent); }
 
-  /// Sums the operations of each front and all fronts below it, which are numbered consecutively, and finds
-  /// the first of these.
+  /// Sums for each front the operations of its subtree. The fronts of a subtree are numbered consecutively;
+  /// the number of the first is stored in first_.
   void sum_up_work() {
     work_.assign(fronts_, 0);
     first_.resize(fronts_);
@@ -79,8 +79,8 @@ class Scheduler {
     stack(schedule_.trunk);
   }
 
-  /// Places the updates of `fronts` on two new stacks after all existing updates. Updates of children that
-  /// are not on these stacks belong to branches and are not removed.
+  /// Places the updates of `fronts` on two new stacks, after all existing updates. Updates of children that
+  /// belong to a branch are on other stacks and stay there.
   void stack(const std::vector<std::size_t>& fronts) {
     const std::size_t bottom[2] = {schedule_.room[0], schedule_.room[1]};
     std::size_t top[2] = {bottom[0], bottom[1]};

@@ -4,15 +4,15 @@
 
 namespace netloft {
 
-/// The order in which several threads eliminate fronts, and the places of the updates. Branches are
-/// independent subtrees; a thread takes one at a time. The trunk is the rest of the tree; its fronts follow
-/// after all branches, children before parents, and all threads work on each of them. Every front sums the
-/// same numbers in the same order as with one thread, so that the factors have the same bits for any number
-/// of threads.
+/// The order in which several threads eliminate fronts (front_tree.hpp), and the places of their updates.
+/// Branches are independent subtrees; each thread takes one branch at a time. The trunk consists of all other
+/// fronts; they follow after all branches, children before parents, and all threads work together on each of
+/// them. Every front sums the same numbers in the same order as with one thread; the factors therefore have
+/// the same bits for any number of threads.
 ///
-/// Updates are on two stacks, chosen by the parity of the depth of a front: the updates of the children are
-/// on top of one stack when their parent pushes its update onto the other. Each branch and the trunk have
-/// separate stacks in the same two blocks of memory.
+/// Updates are on two stacks, chosen by the parity of the depth of a front in the tree: the updates of the
+/// children are on top of one stack when their parent pushes its update onto the other. Each branch and the
+/// trunk have separate stacks in the same two blocks of memory.
 struct FrontSchedule {
   struct Branch {
     std::size_t first, last;  // first front, and one past the last

@@ -38,10 +38,10 @@ class Supernodes {
   cholmod_factor* factor_ = nullptr;
 };
 
-/// Neighbouring supernodes are merged into one of n vertices if n ≤ 2, if n ≤ 6 and at most a fraction of 0.8
-/// of its entries are zeros, if n ≤ 16 and the fraction is at most 0.1, or if it is at most 0.05. Seven sets
+/// Neighbouring supernodes are merged into one of n vertices in four cases: n ≤ 2; n ≤ 6 with at most a
+/// fraction of 0.8 of zeros among its entries; n ≤ 16 with at most 0.1; any n with at most 0.05. Seven sets
 /// were compared, from no merging to 6, 16, 32, 0.8, 0.2, 0.08, on tangents of 500 to 10⁵ unknowns: none is
-/// better by more than 4 %, and the largest takes 1.5 times as long at 500.
+/// better by more than 4 %, and the set with the largest supernodes takes 1.5 times as long at 500.
 void merge(cholmod_common& common) {
   constexpr std::size_t kVertices[] = {2, 6, 16};
   constexpr double kZeros[] = {0.8, 0.1, 0.05};
@@ -55,7 +55,8 @@ Supernodes::Supernodes(NodeGraph& graph, Indices order) {
   common_->supernodal = CHOLMOD_SUPERNODAL;
   merge(*common_.get());
   cholmod_sparse view = view_of(graph);
-  // "For SPQR", CHOLMOD does not lay out the factor, which may have more entries than 32-bit indices allow.
+  // With the option "for SPQR", CHOLMOD analyses without laying out the factor, which may have more entries
+  // than 32-bit indices allow.
   factor_ = cholmod_analyze_p2(CHOLMOD_ANALYZE_FOR_SPQR, &view, order.data(), nullptr, 0, common_.get());
   if (factor_ == nullptr) {
     throw std::runtime_error("cannot analyse a matrix of " + std::to_string(graph.unknown.size()) +
@@ -217,7 +218,7 @@ void FrontTreeBuilder::find_places() {
   }
 }
 
-/// Lists runs of consecutive places, with pivots of the parent in runs of their own.
+/// Lists runs of consecutive places. Pivots of the parent are in separate runs.
 void FrontTreeBuilder::list_runs() {
   for (Front& front : tree_.fronts) {
     front.runs = tree_.runs.size();
@@ -255,7 +256,7 @@ bool FrontTreeBuilder::have_same_rows(std::int32_t column) const {
          std::ranges::equal(rows(column), rows(column + 2));
 }
 
-/// Whether an entry of the first of three columns begins a block.
+/// Whether an entry in the first of three columns begins a block of 3 × 3 entries.
 bool FrontTreeBuilder::are_a_block(std::size_t entry, std::int32_t column) const {
   const std::int32_t count = pattern_.column_start[column + 1] - pattern_.column_start[column];
   if (entry + 2 >= static_cast<std::size_t>(pattern_.column_start[column + 1]) ||

@@ -10,8 +10,8 @@
 
 namespace netloft {
 
-/// A dense step of the elimination: n pivots, and the u other unknowns to which they are coupled at that
-/// step.
+/// A dense step of the elimination of a matrix: the elimination of n pivots, with the u other unknowns to
+/// which they are coupled at that step.
 struct Front {
   std::int32_t first = 0;    // first pivot of the front, in the order of elimination
   std::int32_t pivots = 0;   // number n of pivots
@@ -27,8 +27,8 @@ struct Front {
 /// Operations that the elimination of a front takes.
 double flops_of(const Front& front);
 
-/// Entries of the matrix that are added to a front at its start: one entry, or the nine of three rows and
-/// columns of a pair of nodes, whose slots are adjacent row by row.
+/// Entries of the matrix that are added to a front at its start: one entry, or the 3 × 3 entries of a pair of
+/// nodes, whose slots (positions among the values of the matrix) are adjacent row by row.
 struct FrontEntries {
   std::uint32_t slot = 0;             // slot of the first entry
   std::uint32_t target = 0;           // position in the panels of the front to which the first entry is added
@@ -36,10 +36,11 @@ struct FrontEntries {
   std::int32_t size = 1;              // number of rows and of columns
 };
 
-/// The elimination of a matrix of symmetric pattern front by front (Duff and Reid 1983). Every front adds up
-/// its entries of the matrix and the updates of its children, eliminates its pivots, and passes the update
+/// The elimination of a matrix of symmetric pattern front by front (Duff and Reid 1983). Every front sums its
+/// entries of the matrix and the updates of its children, eliminates its pivots, and passes the update
 ///   C = Σ C_child − L₂₁ U₁₂                                               (1)
-/// to its parent. Children come before parents, and the fronts below a front are numbered consecutively.
+/// to its parent; L₂₁ and U₁₂ are the parts of its factors outside the pivots (front_kernels.hpp). Children
+/// come before parents, and the fronts of each subtree are numbered consecutively.
 struct FrontTree {
   std::vector<std::int32_t> unknown;  // unknown[k] is eliminated as the k-th
   std::vector<Front> fronts;          // all fronts, and an additional one that marks the end

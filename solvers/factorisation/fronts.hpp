@@ -26,8 +26,8 @@ class Room {
   double* begin_ = nullptr;
 };
 
-/// The numbers of a tree of fronts: values of the matrix, factors, updates, and a vector that is solved for.
-/// Functions work on one front; the caller visits the fronts in an order that front_schedule.hpp allows.
+/// The numbers of a tree of fronts: values of the matrix, factors, updates, and the vector of a solve. Each
+/// function works on one front; the caller visits the fronts in an order that front_schedule.hpp allows.
 class Fronts {
  public:
   /// `values` is the number of values of the matrix. `tree` and `schedule` must outlive the last call.
@@ -41,7 +41,7 @@ class Fronts {
   std::span<double> values() { return values_; }
   std::span<double> by_place() { return by_place_; }
 
-  /// Eliminates a front with this thread alone if `workers` is nullptr, else with all `workers`.
+  /// Eliminates a front: with this thread alone if `workers` is nullptr, otherwise with all `workers`.
   Elimination eliminate(std::size_t front, Workers* workers);
   /// forward() and backward() solve the part of L y = b, or of U x = y, that belongs to a front, in the
   /// vector by_place(). Call forward() for children before parents, backward() for parents before children.

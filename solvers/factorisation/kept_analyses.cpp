@@ -23,7 +23,7 @@ struct Analysed {
   bool is_worth_keeping() const { return !has_factor || factorisation->factor_entries() <= kLargestKept; }
 };
 
-/// The factorisations that are kept and not in use.
+/// The factorisations that are kept, while nobody uses them.
 class Shelf {
  public:
   /// Returns the factorisation of this class for the pattern, or nullptr if there is none.

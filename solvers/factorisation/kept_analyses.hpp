@@ -5,10 +5,10 @@
 namespace netloft {
 
 /// Returns a function that makes the same factorisations as `make`, but keeps a factorisation when its user
-/// destroys it. The next factorisation of the same class that analyses an equal pattern, as in the stages of
-/// one gear, reuses the order and the memory of the kept one. The last factorisation of each class is kept if
-/// its factor is not large, as long as the returned function or one of its factorisations exists. Threads may
-/// use the function concurrently.
+/// destroys it. The next factorisation of the same matrix class that analyses an equal pattern, as in the
+/// stages of one gear, reuses the order and the memory of the kept one. For each class, the last
+/// factorisation whose factor is not large is kept, as long as the returned function or one of its
+/// factorisations exists. Threads may use the function concurrently.
 MakeFactorisation keep_analyses(MakeFactorisation make);
 
 }  // namespace netloft

@@ -6,8 +6,8 @@
 
 namespace netloft {
 
-/// Makes the factorisation for a class of matrices: CHOLMOD for positive definite matrices, our own
-/// multifrontal factorisation for unsymmetric ones, and MUMPS for all others and as the fallback of our own.
+/// Makes the factorisation for a class of matrices: CHOLMOD for positive definite matrices, this program's
+/// multifrontal factorisation for unsymmetric ones with MUMPS as its fallback, and MUMPS for all others.
 /// UMFPACK replaces MUMPS in builds without MUMPS. Fits `MakeFactorisation`.
 std::unique_ptr<Factorisation> make_factorisation(MatrixClass kind);
 

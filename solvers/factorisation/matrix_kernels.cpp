@@ -30,8 +30,8 @@ NETLOFT_INLINE void add(const double* x, std::ptrdiff_t count, double* y) {
   if (i < count) y[i] += x[i];
 }
 
-/// Adds the update of a child to a front: the columns of pivots to the left panel, the rows of pivots in
-/// other columns to the upper panel, and the rest to C.
+/// Adds the update of a child to a front: columns of pivots to the left panel, rows of pivots in other
+/// columns to the upper panel, and all other numbers to C.
 template <class Register>
 NETLOFT_INLINE void add_child(const ChildUpdate& child, const FrontPanels& f, double* C) {
   const std::ptrdiff_t n = f.pivots, from = upper_stride(child.others), left = left_stride(n, f.others),

@@ -25,16 +25,16 @@ struct MatrixBlocks {
   std::vector<Entry> entries;  // entries outside blocks
 };
 
-/// Unknowns of a front that are consecutive among the unknowns of its parent, too. Either all or none of them
-/// are pivots of the parent.
+/// Unknowns of a front that are consecutive both there and among the unknowns of its parent front. Either all
+/// or none of them are pivots of the parent.
 struct UnknownRun {
   std::int32_t from = 0;   // first unknown of the run among the others of the front
   std::int32_t place = 0;  // place of this unknown among the unknowns of the parent
   std::int32_t count = 0;
 };
 
-/// The update of a child front: its columns, with the stride of the child's `upper`, and where its rows and
-/// columns are in the parent.
+/// The update of a child front: its columns, whose stride is that of the child's `upper` panel, and the
+/// places of its rows and columns in the parent.
 struct ChildUpdate {
   const double* C;
   std::int32_t others;
@@ -43,17 +43,17 @@ struct ChildUpdate {
 
 /// Operations on numbers of the matrix and of fronts, for the instruction set of this processor.
 struct MatrixKernels {
-  /// Adds the update of a child to the panels, and to C, which has the stride of `upper`.
+  /// Adds the update of a child to the panels of a front, and to its update C, which has the stride of
+  /// `upper`.
   void (*add_child)(const ChildUpdate& child, const FrontPanels& front, double* C);
   /// Copies `from` to `to`. Returns false if some numbers are not finite.
   bool (*take)(std::span<const double> from, double* to);
-  /// Computes A x and |A| |x|. Row i of each is the sum of the three numbers from 3 i on.
+  /// Computes A x and |A| |x|. Row i of each product is the sum of the three numbers from index 3 i on.
   void (*multiply)(const MatrixBlocks& A, const double* values, std::span<const double> x, double* products,
                    double* sizes);
 };
 
-/// The best kernels for this processor. The second function returns all kernels that run on it, the best
-/// last.
+/// The best kernels for this processor, and all kernels that run on it, with the best last.
 const MatrixKernels& matrix_kernels();
 std::vector<MatrixKernels> matrix_kernels_here();
 

@@ -54,8 +54,8 @@ MemoryPool::FreeBlock* MemoryPool::pop(std::size_t size_class) {
 void* MemoryPool::take(std::size_t bytes) {
   if (bytes > kLargestBlock) return nullptr;
   const std::size_t size_class = smallest_class_holding(std::max(bytes, kSmallestBlock));
-  // malloc may return a block that is a little larger than requested. When freed, such a block is stored in
-  // the next larger class; therefore this class is searched, too.
+  // malloc may return a block that is a little larger than requested. When it is freed, such a block is
+  // stored in the next larger class; therefore that class is searched, too.
   for (const std::size_t near : {size_class, size_class + 1})
     if (void* block = pop(near)) return count_as_used(block);
   return count_as_used(std::malloc(bytes_of_class(size_class)));
@@ -148,8 +148,8 @@ void use(const Allocator& allocator) {
 }
 #endif
 
-/// The pool's functions are installed from the first scope until this library is unloaded, so that a plugin
-/// that is unloaded leaves no pointer behind.
+/// Installs the pool's functions in SuiteSparse from the first scope until this library is unloaded. A plugin
+/// that is unloaded therefore leaves no pointer behind.
 class InstalledAllocator {
  public:
   InstalledAllocator() {

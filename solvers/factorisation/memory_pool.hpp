@@ -8,9 +8,9 @@ namespace netloft {
 /// Keeps the blocks that SuiteSparse and MUMPS free and reuses them, so that the second and every later
 /// factorisation of one pattern calls no malloc.
 ///
-/// Every block is a plain malloc block, and the C library reports its size. Therefore free() may free a block
-/// of the pool, and the pool may take back a block of malloc. The pool never keeps more than twice the most
-/// memory that was in use at one time. It has no lock, so that only one thread may use it.
+/// Every block is a plain malloc block whose size the C library reports. Therefore free() may free a block of
+/// the pool, and the pool may take back a block from malloc. The free blocks are never more than twice the
+/// greatest memory that was in use at one time. The pool has no lock: only one thread may use it.
 class MemoryPool {
  public:
   MemoryPool() = default;

@@ -137,7 +137,7 @@ bool MultifrontalFactorisation::take(std::span<const double> values) {
          find_column_not_finite(*pattern_, values) < 0;
 }
 
-/// Eliminates all fronts. If several fronts cannot be eliminated, the first is reported, as with one thread.
+/// Eliminates all fronts. If several fronts fail, the first of them is reported, as with one thread.
 Elimination MultifrontalFactorisation::eliminate_all(std::size_t& front) {
   std::size_t failed = tree_.fronts.size();
   const Elimination end = eliminate_branches(failed);
@@ -152,8 +152,8 @@ Elimination MultifrontalFactorisation::eliminate_all(std::size_t& front) {
   return end;
 }
 
-/// Eliminates the branches. `failed` becomes the first front that cannot be eliminated, if there is one; all
-/// fronts before it are eliminated.
+/// Eliminates the branches. If fronts cannot be eliminated, `failed` becomes the first of them; all fronts
+/// before it are eliminated.
 Elimination MultifrontalFactorisation::eliminate_branches(std::size_t& failed) {
   if (schedule_.branches.empty()) return {};
   std::atomic<std::size_t> first{failed};

@@ -10,20 +10,20 @@ namespace netloft {
 
 using MakeSpare = std::function<std::unique_ptr<Factorisation>()>;
 
-/// Multifrontal factorisation of unsymmetric matrices with a nearly symmetric pattern, front by front in a
-/// fixed order (front_tree.hpp).
+/// Multifrontal factorisation of unsymmetric matrices A with a nearly symmetric pattern, front by front in a
+/// fixed order (front_tree.hpp), and the backward error of a solution x of A x = b:
 ///   P A Pᵀ = Q L U                                         (1)
 ///   ω = max |b − A x|ᵢ / (|A| |x| + |b|)ᵢ                  (2)
 /// P orders the nodes; Q exchanges rows only among the pivots of a front. `analyse` plans everything, and
 /// nothing is scaled, sorted or delayed afterwards: in other codes, such operations cost more than the
 /// arithmetic for matrices of some thousand unknowns. The disadvantage is that pivots may be poor. Therefore
-/// the factorisation made by `make_spare` takes over
+/// the spare factorisation made by `make_spare` takes over
 /// - if a pivot is zero, or less than 1e-8 of the entries below it outside the pivots of its front;
-/// - if in the first solve after a factorisation the backward error (2) of Oettli and Prager (1964) is larger
+/// - if in the first solve after a factorisation the backward error (2) (Oettli and Prager 1964) is larger
 ///   than 1e-9 even after a step of iterative refinement.
 /// Several threads eliminate large matrices (front_schedule.hpp), with the same bits for any number of
 /// threads. A column of zeros is reported as singular at its unknown. From the second `factorise` on, neither
-/// `factorise` nor `solve` allocates unless the spare takes over.
+/// `factorise` nor `solve` allocates unless the spare factorisation takes over.
 std::unique_ptr<Factorisation> make_multifrontal_factorisation(MakeSpare make_spare,
                                                                OrderingMethod method = OrderingMethod::best,
                                                                int threads = 1);

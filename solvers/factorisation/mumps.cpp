@@ -177,7 +177,7 @@ FactorResult MumpsFactorisation::factorise(std::span<const double> values) {
 }
 
 /// Computes (1) or (2) of mumps.hpp. Delayed pivots need more memory than the analysis of the pattern
-/// predicts; the amount is unknown, so it is increased step by step.
+/// predicts. How much is unknown; therefore the memory is doubled until it suffices.
 int MumpsFactorisation::factorise_with_room() {
   constexpr int kNoRoomForIntegers = -8, kNoRoomForReals = -9;
   constexpr int kMostRoom = 10000;  // memory in addition to the prediction [percent]

@@ -12,7 +12,7 @@ namespace {
 
 using Indices = std::vector<std::int32_t>;
 
-/// Turns counts, stored at [i + 1], into start indices.
+/// Turns counts, of which that for i is stored at [i + 1], into start indices.
 void accumulate(Indices& start) { std::partial_sum(start.begin(), start.end(), start.begin()); }
 
 /// Numbers the nodes that have unknowns, in the order of nodes. Returns the vertex of each unknown; sets the

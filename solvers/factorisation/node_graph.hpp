@@ -9,8 +9,8 @@
 
 namespace netloft {
 
-/// A sparsity pattern with the unknowns of each node merged into one vertex. Orderings find the same fill
-/// here as in the full pattern, with a ninth of the edges.
+/// A sparsity pattern in which the unknowns of each node are merged into one vertex. Orderings find the same
+/// fill as in the full pattern, with a ninth of the edges.
 struct NodeGraph {
   std::int32_t size = 0;  // number of vertices: nodes that have an unknown
 
@@ -23,7 +23,7 @@ struct NodeGraph {
   std::vector<std::int32_t> unknown;
 };
 
-/// Largest number of edges, counted from both ends, because METIS and CHOLMOD use 32-bit indices here.
+/// Largest number of edges, where an edge counts once at each end. METIS and CHOLMOD use 32-bit indices here.
 inline constexpr std::size_t kMostEdges = 0x7fffffff;
 
 /// Makes the graph of a pattern, or of the union with its transpose if the pattern is unsymmetric. Throws

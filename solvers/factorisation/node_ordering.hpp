@@ -10,8 +10,8 @@ namespace netloft {
 
 struct NodeGraph;
 
-/// Methods to order nodes. `dissection`: METIS separates the graph recursively, then constrained minimum
-/// degree orders the nodes of the pieces and of the separators.
+/// Methods to order nodes. `best` compares several. With `dissection`, METIS separates the graph recursively;
+/// then constrained minimum degree (CAMD) orders the nodes of the pieces and of the separators.
 enum class OrderingMethod { best, amd, metis, dissection };
 
 /// An elimination order that keeps the factor sparse.
@@ -21,9 +21,9 @@ struct NodeOrdering {
   double flops = 0;                   // operations of a Cholesky factorisation if every node had one unknown
 };
 
-/// The method that `best` tries in addition to AMD, and the number of nodes from which it does so. On nets of
-/// 100 to 600 nodes, factorisations after METIS had 1.02 to 1.7 times the operations of those after AMD, and
-/// METIS took as long as two factorisations.
+/// The method that `best` tries in addition to AMD for nets of at least so many nodes. On nets of 100 to 600
+/// nodes, factorisations after METIS had 1.02 to 1.7 times the operations of those after AMD, and METIS took
+/// as long as two factorisations.
 struct LargeNets {
   std::int32_t nodes = 700;
   OrderingMethod method = OrderingMethod::metis;

@@ -6,7 +6,7 @@
 namespace netloft {
 namespace {
 
-// With less work than this [floating-point operations], threads cost more than they save. One thread does it
+// Amount of work [floating-point operations] below which threads cost more than they save: one thread does it
 // in 25 microseconds.
 constexpr double kWorthwhile = 1e6;
 constexpr std::ptrdiff_t kSlicesPerThread = 4;  // so that a thread without a core of its own delays little

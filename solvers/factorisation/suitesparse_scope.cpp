@@ -6,8 +6,8 @@
 namespace netloft {
 namespace {
 
-/// The OpenMP runtime that CHOLMOD uses, if any. It is looked up and not linked, because with -fopenmp this
-/// library might get another runtime than CHOLMOD has.
+/// The OpenMP runtime that CHOLMOD uses, if any. It is looked up at run time, because linking with -fopenmp
+/// might give this library another runtime than CHOLMOD has.
 struct OpenMp {
   using GetLevels = int (*)();
   using SetLevels = void (*)(int);
@@ -64,8 +64,8 @@ using Parallel = void (*)(Region, void*, unsigned threads, unsigned flags);
 
 }  // namespace
 
-/// Starts a parallel region of CHOLMOD, in place of the function of GCC's OpenMP runtime: within a scope, a
-/// region is a plain call. The runtime would make a team of one thread and signal waiting threads, of which
+/// Starts a parallel region of CHOLMOD, in place of the function of GCC's OpenMP runtime. Within a scope, the
+/// region is a plain call. The runtime would make a team of one thread and signal waiting threads, although
 /// there are none, by a system call; a factorisation of 1 300 unknowns has some 500 regions.
 extern "C" [[gnu::visibility("default")]] void GOMP_parallel(Region region, void* data, unsigned threads,
                                                              unsigned flags);

@@ -4,11 +4,11 @@
 
 namespace netloft {
 
-/// Calls into SuiteSparse stay in the calling thread while this object lives.
+/// While this object lives, calls into SuiteSparse stay in the calling thread.
 ///
-/// CHOLMOD 3 has four OpenMP threads compiled in and opens a parallel region in each of some 10⁴ supernodes;
-/// OMP_NUM_THREADS does not reach it. On a busy machine the threads spin while they wait for each other and
-/// slow a factorisation down by up to a factor of 70. On a quiet machine they take 2.5 times the CPU time
+/// CHOLMOD 3 is compiled for four OpenMP threads and opens a parallel region in each of some 10⁴ supernodes;
+/// OMP_NUM_THREADS does not change that. On a busy machine the threads spin while they wait for each other
+/// and slow a factorisation down by up to a factor of 70. On a quiet machine they take 2.5 times the CPU time
 /// without any gain on nets.
 class SingleThreadScope {
  public:
@@ -23,8 +23,8 @@ class SingleThreadScope {
   int max_active_levels_ = -1;
 };
 
-/// CHOLMOD's parameters and workspace, without printing. `index` is CHOLMOD_INT or CHOLMOD_LONG, depending on
-/// the functions of CHOLMOD that use it.
+/// CHOLMOD's parameters and workspace, without printing. `index` must be CHOLMOD_INT for the functions of
+/// CHOLMOD with 32-bit indices and CHOLMOD_LONG for those with 64 bits.
 class CholmodCommon {
  public:
   explicit CholmodCommon(int index = CHOLMOD_INT);
