@@ -18,8 +18,9 @@ namespace {
 
 using namespace sundials;
 
-/// A method table of ARKODE, and the power of h to which the error (4) is proportional. (4) is the difference
-/// of two formulas; the power is one more than the lower order of both.
+/// A method table of ARKODE, and the power of the step h to which the error (4) of arkode.hpp is
+/// proportional: (4) is the difference of two formulas, and the power is one more than the lower of their
+/// orders.
 struct Method {
   ARKODE_DIRKTableID table;
   double error_order;
@@ -49,7 +50,7 @@ void check(int status, const Host& host) {
   if (status != ARK_SUCCESS) throw std::runtime_error("ARKODE: " + host.complaint);
 }
 
-/// Gives y' at the start of the step. ARKODE deduces y' of the stages from (3).
+/// Gives y' at the start of the step. For the later stages, ARKODE deduces y' from (3) of arkode.hpp.
 int give_rate(double t, N_Vector, N_Vector rate, void* host) {
   return guarded<Host>(host, [&](Host& h) {
     if (t != h.motion.t()) throw std::runtime_error("ARKODE asks for a rate within its step");
@@ -59,7 +60,7 @@ int give_rate(double t, N_Vector, N_Vector rate, void* host) {
   });
 }
 
-/// A stage in ARKODE's form: k = predicted + known.
+/// A stage in ARKODE's form: the k of (1) in arkode.hpp is predicted + known.
 struct Stage {
   Stage(void* arkode, const Host& host) {
     N_Vector state = nullptr, rate = nullptr;
@@ -117,8 +118,8 @@ StageSolver make_stage_solver(Host& host, SUNContext context) {
   return s;
 }
 
-/// Makes ARKODE take one step of h, whatever its error, because the host controls the step. (In its mode of
-/// fixed steps, ARKODE gives no error estimates.)
+/// Makes ARKODE take one step of h and accept any error, because the host controls the step. (With its own
+/// fixed steps, ARKODE gives no estimate of the error.)
 void ask_for_one_step(void* arkode, double h, const Host& host) {
   constexpr double kAnyError = 1e100;
   check(ARKStepSStolerances(arkode, 0, kAnyError), host);

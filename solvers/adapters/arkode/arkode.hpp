@@ -6,7 +6,8 @@ namespace netloft::arkode {
 
 /// One step of a diagonally implicit Runge-Kutta method of SUNDIALS' ARKODE 6 (Reynolds et al. 2023, ACM TOMS
 /// 49(2), article 19; users' guide, "Butcher table data structure") on F(t, u, v, a) = 0, with y = (u, v) and
-/// y' = (v, a). Stage i is at tᵢ = tₙ + cᵢ h; with γ = h A_ii, and k from the earlier stages:
+/// y' = (v, a). tₙ is the start of the step, h its length, A, b, c are the coefficients of the method. Stage
+/// i is at tᵢ = tₙ + cᵢ h; with γ = h A_ii, and k from the earlier stages:
 ///   yᵢ = k + γ y'ᵢ,  k = yₙ + h Σ_{j<i} A_ij y'ⱼ                            (1)
 /// The two parts of (1), for u and for v, give v and a in terms of u, which the solver of the analysis finds:
 ///   v = (u − k_u)/γ,  a = (v − k_v)/γ,  F(tᵢ, u, v, a) = 0                    (2)

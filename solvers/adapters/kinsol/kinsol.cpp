@@ -38,8 +38,8 @@ int compute_residual(N_Vector u, N_Vector r, void* host) {
   });
 }
 
-/// KINSOL requests the tangent at every accepted point and nowhere else; therefore the point is reported
-/// here.
+/// KINSOL requests the tangent at every accepted point and nowhere else. Therefore this is the place to
+/// report the point to the host.
 int compute_tangent(N_Vector u, N_Vector, SUNMatrix, void* host, N_Vector, N_Vector) {
   return guarded<Host>(host, [&](Host& h) {
     if (h.problem.evaluate(h.view(u), h.energy, h.residual, Matrix::exact) != Evaluation::ok) return kStop;

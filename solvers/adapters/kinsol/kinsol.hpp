@@ -5,13 +5,13 @@
 namespace netloft::kinsol {
 
 /// Newton's method of SUNDIALS' KINSOL 6 (Hindmarsh et al. 2005, ACM TOMS 31(3), p. 363; users' guide,
-/// chapter "Mathematical considerations") on our residuals and factorisations. K is the exact tangent, M the
-/// linear stiffness.
+/// chapter "Mathematical considerations") with the residuals r and factorisations of the host. K is the exact
+/// tangent, M the linear stiffness.
 ///   (K(u) + μ M) s = −r(u)                                                              (1)
 ///   u ← u + λ s                                                                         (2)
 /// Strategy "none": λ = 1. "linesearch": λ, within what `longest_step` allows, meets Goldstein's conditions
 ///   ½‖r(u + λ s)‖² ≤ ½‖r(u)‖² + 1e-4 λ r·Ks,   and ≥ this bound with 0.9 for 1e-4         (3)
-/// With μ = 0 and a singular K, as for a straight slack rope, the solver fails at the first step.
+/// If μ = 0 and K is singular, as for a straight slack rope, the solver fails at the first step.
 struct Kinsol {
   struct Parameters {
     std::int64_t strategy = 0;

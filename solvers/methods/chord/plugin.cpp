@@ -14,12 +14,13 @@ namespace netloft {
 ///   t = 1 if G(1) ≤ η |G(0)|, else where regula falsi finds |G(t)| ≤ η |G(0)|                (2)
 ///   A is made anew at u if G(0) is more than κ² times that of the step before, or |G(t)| > κ |G(0)|  (3)
 ///   μ ← 0.1 μ after t > 0.9, 10 μ after t < 0.25, and if s is uphill or no t satisfies (2)   (4)
-/// (2) is the line search of Matthies and Strang (Int. J. Numer. Meth. Eng. 14, 1979), which needs no energy:
-/// inertia and drag have none. ‖r‖ is not suitable, because it grows wherever slack twines tighten. −G(0) is
-/// the square of Newton's decrement, a length that no stiff twine dominates. A is the tangent, or its convex
-/// part where the tangent is not positive definite; M is the linear stiffness, in which slack twines resist,
-/// too: without a small μ M, steps overstretch slack twines. η is the option `slope`, κ is `contraction`. The
-/// method begins with the factor that the host holds from the previous problem.
+/// r is the residual at the unknowns u. A is the tangent, or its convex part where the tangent is not
+/// positive definite; M is the linear stiffness, in which slack twines resist, too: without a small μ M,
+/// steps overstretch slack twines. η is the option `slope`, κ is `contraction`. (2) is the line search of
+/// Matthies and Strang (Int. J. Numer. Meth. Eng. 14, 1979). It needs no energy, which inertia and drag do
+/// not have. ‖r‖ is not suitable, because it grows wherever slack twines tighten. −G(0) is the square of
+/// Newton's decrement, a length that no stiff twine dominates. The method begins with the factor that the
+/// host holds from the previous problem.
 struct Chord {
   struct Parameters {
     double damping = 0, contraction = 0, slope = 0, shortest_step = 0;
@@ -29,7 +30,8 @@ struct Chord {
 
 namespace {
 
-// Range of μ: damping never needs to exceed the linear stiffness by much, and a smaller μ has no effect.
+// Range of μ. Damping never needs to exceed the linear stiffness by much, and a μ below the range has no
+// effect.
 constexpr double kLargestDamping = 64, kSmallestDamping = 1e-8, kFirstDamping = 1e-3;
 constexpr double kDampingToKeep = 1e-5;  // a factor with more damping converges too slowly to be kept
 
@@ -67,8 +69,8 @@ class Chords {
     return find_slope() && decrement_ <= p_.contraction * p_.contraction * before;
   }
 
-  /// Factorises with as much damping as necessary. If the tangent is unsymmetric, the factor does not show
-  /// whether s leads uphill.
+  /// Factorises with as much damping as necessary, until s leads downhill. For an unsymmetric tangent, a
+  /// successful factorisation does not show that it does.
   bool renew_factor() {
     do {
       const Factor factor = factorise_at_u(problem_, mu_);
@@ -94,8 +96,8 @@ class Chords {
     return decrement_ > 0;
   }
 
-  /// Searches t by (2), with one trial if the factor is old. Returns false if no t is found; u is then
-  /// unchanged.
+  /// Searches t by (2), with a single trial if the factor is old. Returns false, with u unchanged, if no t is
+  /// found.
   bool search_line() {
     double low = 0, high = 0, at_low = -decrement_, at_high = 0;
     for (double t = 1; t - low >= p_.shortest_step;) {

@@ -9,7 +9,7 @@ namespace netloft::lbfgs {
 
 namespace {
 
-/// ε of (4) in lbfgs.hpp, below which the curvature is rounding.
+/// The ε of (4) in lbfgs.hpp: curvature below this is only rounding.
 constexpr double kLeastCurvature = 1e-12;
 
 }  // namespace

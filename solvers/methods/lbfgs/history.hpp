@@ -6,8 +6,8 @@
 
 namespace netloft::lbfgs {
 
-/// The last pairs s, y of a limited-memory BFGS method, and the matrix H that they define, (2) and (3) of
-/// lbfgs.hpp.
+/// The last pairs s, y of a limited-memory BFGS method, and the inverse Hessian H that they define by (2) and
+/// (3) of lbfgs.hpp.
 class Memory {
  public:
   Memory(std::size_t pairs, std::size_t unknowns);

@@ -6,12 +6,12 @@
 
 namespace netloft::lbfgs {
 
-/// φ(t) and φ'(t) of a function along a line. `value` is infinite if φ is not defined at t.
+/// A value φ(t) and a slope φ'(t) of a function along a line. `value` is infinite if φ is not defined at t.
 struct Sample {
   double t = 0, value = 0, slope = 0;
 };
 
-/// Finds a t > 0 that lowers φ and flattens it; φ'(0) must be negative.
+/// Finds a t > 0 at which φ is lower and flatter than at 0; φ'(0) must be negative.
 ///   φ(t) ≤ φ(0) + c₁ t φ'(0)                                                             (1)
 ///   |φ'(t)| ≤ c₂ |φ'(0)|                                                                 (2)
 ///   φ'(t) ≤ (2 c₁ − 1) φ'(0)   in place of (1) where |φ(t) − φ(0)| ≤ noise              (3)
@@ -25,7 +25,7 @@ struct LineSearch {
   int most_samples = 30;
 
   /// `sample(t)` returns φ and φ' at t. The returned sample is the last one taken; it satisfies (1) or (3),
-  /// and also (2) unless the limit of samples was reached. Returns nullopt if no t was found that lowers φ.
+  /// and (2) unless the limit of samples was reached. Returns nullopt if no t lowers φ.
   template <class Function>
   std::optional<Sample> find(const Sample& start, double first, Function&& sample) const {
     Sample low = start;          // lowest sample that satisfies (1) or (3)

@@ -4,13 +4,14 @@
 
 namespace netloft::newton {
 
-/// A search along a line of negative curvature, on which no model predicts how far to go. m is the merit, and
-/// t = 1 moves the farthest node by one element. A step t is accepted if
+/// A search along a line of negative curvature, on which no model predicts how far to go. m is the merit ((3)
+/// of newton.hpp), and t = 1 moves the farthest node by one element. A step t is accepted if
 ///   m'(t) < 0 and m(t) ≤ m(0) + noise                                                       (D)
-/// A small first t is halved until it is accepted, and then doubled until it is not, or until it reaches
+/// A small first t is halved until it is accepted. Then it is doubled until it is refused or reaches the
+/// limit of one move,
 ///   1/margin                                                                                (E)
-/// the limit of one move. Secants of m' refine the bracket between the last accepted and the first refused t.
-/// The search returns the largest accepted t.
+/// Secants of m' refine the bracket between the last accepted and the first refused t. The search returns the
+/// largest accepted t.
 struct DescentSearch {
   Refinement refinement = {};
   double longest() const { return 1 / refinement.margin; }  // limit (E) of t
@@ -42,7 +43,7 @@ struct DescentSearch {
   }
 
  private:
-  /// The sample for a t at which forces are undefined: with the slope of this sample, the secant halves the
+  /// The sample for a t at which forces are undefined. Its slope is chosen such that the secant halves the
   /// bracket.
   static Sample as_steep_uphill(double t, const Sample& low) { return {t, low.value, -low.slope}; }
 };

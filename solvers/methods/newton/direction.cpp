@@ -28,7 +28,8 @@ Direction Directions::find(Iterate& iterate, double damping) {
                                        : find_unsymmetric(iterate, damping);
 }
 
-/// Finds a step for a symmetric K: Cholesky's factorisation shows whether a matrix is positive definite.
+/// Finds a step for a symmetric K, for which Cholesky's factorisation shows whether K + μ M is positive
+/// definite.
 Direction Directions::find_symmetric(Iterate& iterate, double damping) {
   const Factor factor = iterate.problem().factorise(Matrix::exact, damping);
   if (factor == Factor::ok) {
@@ -40,10 +41,10 @@ Direction Directions::find_symmetric(Iterate& iterate, double damping) {
   return find_partly_convex(iterate, damping);
 }
 
-/// K + σ M with a tiny σ changes Newton's step only in the few directions of negative curvature, along which
-/// NegativeCurvature leaves the point; a convex part changes the step in all directions. If K is far from
-/// definite, trying σ costs up to five factorisations. Therefore, if no σ succeeds or μ ≥ kMatters, σ is not
-/// tried again until K + μ M has been positive definite.
+/// Tries K + σ M with a tiny σ. It changes Newton's step only in the few directions of negative curvature,
+/// along which NegativeCurvature leaves the point; a convex part would change the step in all directions. If
+/// K is far from definite, trying costs up to five factorisations. Therefore, if no σ succeeds or μ ≥
+/// kMatters, σ is not tried again until K + μ M has been positive definite.
 std::optional<Direction> Directions::find_nearly_definite(Iterate& iterate, double damping) {
   if (!iterate.is_conservative() || !tests_near_definite_ || damping >= kMatters) {
     tests_near_definite_ = false;
@@ -64,8 +65,8 @@ Direction Directions::find_partly_convex(Iterate& iterate, double damping) {
   return solve(iterate, damping, "convex part");
 }
 
-/// Factorises K + θ (K₊ − K) with half the last θ, which is doubled until the matrix is positive definite. A
-/// θ below kMatters adds no stiffness that matters.
+/// Factorises K + θ (K₊ − K) (newton.hpp (2)) with half the last θ, which is doubled until the matrix is
+/// positive definite. A θ below kMatters would add no stiffness that matters.
 Factor Directions::factorise_partly_convex(Problem& problem, double shift) {
   for (convex_fraction_ = std::max(0.5 * convex_fraction_, kMatters); convex_fraction_ < 1;
        convex_fraction_ *= 2)
@@ -78,7 +79,7 @@ Factor Directions::factorise_partly_convex(Problem& problem, double shift) {
   return factor;
 }
 
-/// Raises μ until s leads downhill, because factors do not show whether an unsymmetric matrix is definite.
+/// Raises μ until s leads downhill, because a factor does not show whether an unsymmetric matrix is definite.
 Direction Directions::find_unsymmetric(Iterate& iterate, double damping) {
   for (const char* note = "";; note = "more damping", damping = range_.raised(damping)) {
     const Factor factor = iterate.problem().factorise(Matrix::exact, damping);

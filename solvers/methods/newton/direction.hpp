@@ -20,15 +20,15 @@ struct Direction {
   explicit operator bool() const { return !failure; }
 };
 
-/// Finds steps s along which the merit falls: (K + θ (K₊ − K) + μ M) s = −r, (2) of newton.hpp. With θ = 1
+/// Finds steps s along which the merit falls, by (2) of newton.hpp: (K + θ (K₊ − K) + μ M) s = −r. With θ = 1
 /// and μ = 1 a step cannot raise a convex energy (Levenberg 1944, in the metric of the linear stiffness).
 class Directions {
  public:
   Directions(const DampingRange& range, const Problem& problem, NearlyDefinite& nearly_definite)
       : range_(range), nearly_definite_(nearly_definite), s_(problem.size()) {}
 
-  /// Returns Newton's own step, θ = μ = 0, if it leads downhill and moves no node by more than the length of
-  /// an element, because the start may be close to an equilibrium. Otherwise it returns the step of `find`.
+  /// Returns Newton's own step (θ = μ = 0) if it leads downhill and moves no node by more than the length of
+  /// an element, as close to an equilibrium. Otherwise it returns the step of `find`.
   Direction find_first(Iterate& iterate, double damping);
   /// Returns a step with the damping μ or more. It fails if no matrix could be factorised, or no s leads
   /// downhill. The vector s is valid until the next search.

@@ -12,13 +12,13 @@ namespace netloft::newton {
 
 namespace {
 
-/// The model of the step counts as good if the line search accepts a larger t than this, and as bad if it
-/// accepts only a smaller t.
+/// If the line search accepts a t larger than this, the model of the step counts as good, otherwise as bad.
 constexpr double kTrusted = 0.5;
 
-/// Returns μ for the next direction. μ falls if ‖r‖, or the merit with t > ½, accepted the step; it is
-/// multiplied by 1/(2 t) if the merit accepted a shorter step; it rises if no step was found. After a step by
-/// the slope, or along negative curvature alone, μ is the damping of that step's matrix.
+/// Returns the damping μ for the next direction. μ falls if the residual accepted the step, or the merit
+/// accepted it with t > ½. μ is multiplied by 1/(2 t) if the merit accepted a shorter step, and rises if no
+/// step was found. After a step that the slope accepted, or along negative curvature alone, μ is the damping
+/// of that step's matrix.
 double damping_after(const Step& step, const DampingRange& range) {
   if (!step) return range.raised(step.damping);
   if (step.rule == Step::Rule::residual) return range.lowered(step.damping);
@@ -27,8 +27,8 @@ double damping_after(const Step& step, const DampingRange& range) {
                                 : range.raised(step.damping, kTrusted / step.length);
 }
 
-/// The globalised iteration. It fails if no step is found with μ at `most_damping`, if no matrix can be
-/// factorised, or if forces are undefined at the point.
+/// The globalised iteration of newton.hpp. It fails if no step is found with μ at `most_damping`, if no
+/// matrix can be factorised, or if forces are undefined at the point.
 class Globalised {
  public:
   Globalised(const Newton::Parameters& parameters, Problem& problem)
@@ -71,8 +71,9 @@ class Globalised {
     return step;
   }
 
-  /// Moves along negative curvature, (6), after a step by K + σ M, whether that step was accepted or not. The
-  /// factor is still that of the point before the step, because the direction changes little over the step.
+  /// Moves along negative curvature, (6) of newton.hpp, after a step by K + σ M, whether that step was
+  /// accepted or not. The factor is that of the point before the step; the direction changes little over the
+  /// step.
   bool leave_saddle(double sigma) {
     const auto v = curvature_.find_direction(iterate_.problem(), sigma);
     return v && curvature_.leave_along(*v, iterate_);

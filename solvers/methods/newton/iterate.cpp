@@ -69,7 +69,7 @@ bool Iterate::try_move_if_residual_below(const Path& path, double t) {
   return false;
 }
 
-/// Evaluates at u(t), unless u(t) has the same bits as the last trial point and `wanted` is known there.
+/// Evaluates at u(t), unless the last trial point has the same bits and `wanted` is known there.
 bool Iterate::evaluate_trial(const Path& path, double t, Known wanted) {
   if (!move_trial(path, t) && known_ >= wanted) return true;
   known_ = Known::nothing;

@@ -18,13 +18,13 @@ inline Refinement refinement_of(const Newton::Parameters& p) {
   return {.margin = p.margin, .most = static_cast<int>(p.refinements)};
 }
 
-/// u(t) = u + t s + ½ t² a; straight if `a` is empty.
+/// The path u(t) = u + t s + ½ t² a. It is straight if `a` is empty.
 struct Path {
   std::span<const double> s, a = {};
 };
 
-/// The point u with its residual r, its energy E and the forces d without an energy, and a trial point on a
-/// path that begins at u.
+/// The point u of the iteration with its residual r, its energy E and the forces d without an energy; and a
+/// trial point on a path that begins at u.
 class Iterate {
  public:
   explicit Iterate(Problem& problem);
@@ -38,7 +38,8 @@ class Iterate {
   double slope(const Path& path) const { return dot(r_, path.s); }
   /// The rounding error of the merit along a path [J].
   double round_off(const Path& path) const;
-  /// Whether the decrease that the slope predicts for a step along a path is no more than round_off(path).
+  /// Whether a step along a path promises no decrease beyond rounding: whether the decrease that the slope
+  /// predicts is at most round_off(path).
   bool promises_round_off(const Path& path) const;
   /// Number of points accepted so far.
   std::size_t count() const { return count_; }
@@ -54,8 +55,9 @@ class Iterate {
   void solve(std::span<double> s);
   /// Returns r at u(t), or nullopt if forces are undefined there.
   std::optional<std::span<const double>> residual_at(const Path& path, double t);
-  /// Returns the merit m(t), (3) of newton.hpp, and its derivative. Forces at the last trial point are kept:
-  /// a second call for this point, and a step to it, do not evaluate them again. Call split_residual() first.
+  /// Returns the merit m(t), (3) of newton.hpp, and its derivative. Forces at the last trial point are kept,
+  /// so that a second call for it, or a step to it, does not evaluate them again. Call split_residual()
+  /// first.
   std::optional<Sample> merit(const Path& path, double t);
   /// Moves u to u(t) and evaluates the tangent there. If forces are undefined at u(t), returns false and
   /// leaves u and the tangent unchanged.

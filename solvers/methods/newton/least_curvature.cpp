@@ -13,7 +13,7 @@ namespace {
 
 using Few = std::array<double, LeastCurvature::kSteps>;
 
-// v is accurate enough if a longer basis increases θ by less than this fraction.
+// Lanczos's iteration ends when a longer basis increases the eigenvalue θ by less than this fraction.
 constexpr double kFound = 0.01;
 
 /// The upper left n × n block of a symmetric tridiagonal matrix T with the diagonal a and the off-diagonal b.
@@ -100,7 +100,7 @@ void LeastCurvature::start(Problem& problem) {
   keep_orthogonal(problem);
 }
 
-/// Adds an entry of a and, if there is space, another basis vector with its entry of b.
+/// Adds an entry of a and, if there is space, another basis vector with its entry of b ((C2) of the header).
 void LeastCurvature::lengthen(Problem& problem) {
   const std::size_t last = length_ - 1;
   problem.solve(image(last), w_);
@@ -108,8 +108,8 @@ void LeastCurvature::lengthen(Problem& problem) {
   if (length_ < kSteps) keep_orthogonal(problem);
 }
 
-/// Makes w orthogonal to the basis, twice because rounding leaves a remainder the first time, and adds w to
-/// the basis.
+/// Makes w orthogonal to the basis and adds it there. This is done twice, because rounding leaves a remainder
+/// the first time.
 void LeastCurvature::keep_orthogonal(Problem& problem) {
   for (int time = 0; time < 2; ++time)
     for (std::size_t i = 0; i < length_; ++i) axpy(-dot(w_, image(i)), basis(i), w_);

@@ -8,16 +8,16 @@
 
 namespace netloft::newton {
 
-/// The direction of the least curvature of a tangent K that is nearly definite:
+/// The direction v of the least curvature of a tangent K that is nearly definite:
 ///   K v = λ M v with the least λ, M the linear stiffness                                 (C1)
 /// It is found with the factor of K + σM, which is positive definite, by at most ten steps of Lanczos for
 ///   (K + σM)⁻¹ M v = θ v, the largest θ; λ = 1/θ − σ                                     (C2)
-/// in the inner product of M, each vector made orthogonal to all before it. Rayleigh quotients bound λ from
-/// above: if one is negative, so is λ. B. N. Parlett, The Symmetric Eigenvalue Problem (1998),
+/// Vectors are orthogonal in the inner product of M, each to all before it. Rayleigh quotients are upper
+/// bounds of λ; if one is negative, λ is negative. B. N. Parlett, The Symmetric Eigenvalue Problem (1998),
 /// ch. 13 and 15.
 class LeastCurvature {
  public:
-  /// Limit of the steps, which bounds the memory of a search to twenty vectors.
+  /// Limit of the steps. A search therefore needs memory for at most twenty vectors.
   static constexpr std::size_t kSteps = 10;
 
   /// Reserves memory for `size` unknowns, which only a search fills.

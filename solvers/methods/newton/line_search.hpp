@@ -12,11 +12,11 @@ struct Sample {
   double t = 0, value = 0, slope = 0;
 };
 
-/// Steps t below this, the square root of the machine's epsilon, are not tried: half of the digits of u no
-/// longer change.
+/// Least step t that is tried, the square root of the machine's epsilon. Below it, half of the digits of u do
+/// not change.
 inline constexpr double kShortest = 0x1p-26;
-/// Step t for second derivatives of r by differences, the square root of kShortest: it balances the rounding
-/// of r and the error of the difference.
+/// Step t for second derivatives of r by differences. The square root of kShortest balances the rounding of r
+/// and the error of the difference.
 inline constexpr double kDifference = 0x1p-13;
 
 /// How far a search along a line refines its bracket.
@@ -34,9 +34,9 @@ struct LineSearch {
 
   /// The best t in (0, 1] found:
   ///   m(t) ≤ m(0), and |m'(t)| ≤ η |m'(0)|, or t = 1 and m'(1) < 0, or refinements spent      (L)
-  /// with η `flatness`, by secants of m' within a bracket, by parabolas while m is too high (Nocedal & Wright
-  /// 2006, ch. 3). The usual condition of sufficient decrease, 1e-4 of the slope, is left out: it changed no
-  /// bit of 537 hard cases. `start` is m at t = 0; `merit(t)` returns a Sample, or nullopt if forces are
+  /// with η `flatness`, by secants of m' within a bracket, and by parabolas while m is too high (Nocedal &
+  /// Wright 2006, ch. 3). There is no condition of sufficient decrease: the usual 1e-4 of the slope changed
+  /// no bit of 537 hard cases. `start` is m at t = 0; `merit(t)` returns a Sample, or nullopt if forces are
   /// undefined at t, which is then shortened. Returns nullopt if no t is found.
   template <class Merit>
   std::optional<Sample> operator()(Merit&& merit, const Sample& start) const {
@@ -75,8 +75,8 @@ struct LineSearch {
   }
 };
 
-/// A search along a line for a t at which m is flat. It is used if rounding hides the changes of m but not
-/// the slope of m.
+/// A search along a line for a t at which the merit m is flat, for use where rounding hides the changes of m
+/// but not the slope of m.
 struct SlopeSearch {
   double noise = 0;     // rounding error of m, by which m may rise
   double flatness = 0;  // fraction of the slope at the start that m' may keep

@@ -39,8 +39,8 @@ Step MeritSteps::take(Iterate& iterate, const Direction& direction) {
   return {Step::Rule::energy, direction.damping, found->t};
 }
 
-/// Tries (5): a whole step that lowers m, or that raises it within the allowance of `uphill` if m is as low
-/// as it has ever been. Longer steps are left to the line search.
+/// Tries (5) of newton.hpp: a whole step that lowers m, or raises it by no more than `uphill` allows if m is
+/// as low as it has ever been. Steps longer than an element are left to the line search.
 std::optional<Sample> MeritSteps::try_whole_step(Iterate& iterate, const Path& path) const {
   if (iterate.problem().step_length(path.s) > 1) return {};
   const double allowed = gained_ < most_gained_ ? 0 : -p_.uphill * iterate.slope(path);

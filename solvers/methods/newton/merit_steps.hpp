@@ -11,8 +11,9 @@
 
 namespace netloft::newton {
 
-/// The vector a of the curved path u + t s + ½ t² a, (8) of newton.hpp, on which stiff members keep their
-/// length to second order ("geodesic acceleration": M. K. Transtrum and J. P. Sethna, arXiv:1201.5885, 2012).
+/// The vector a of the curved path u + t s + ½ t² a, (8) of newton.hpp. On this path, stiff members keep
+/// their length to second order ("geodesic acceleration": M. K. Transtrum and J. P. Sethna, arXiv:1201.5885,
+/// 2012).
 class CurvedStep {
  public:
   /// Reserves memory for `size` unknowns, which only find() fills.
@@ -30,18 +31,19 @@ class CurvedStep {
 
 /// Steps that the merit m judges: the whole step (5), the line search (4) and the curved path (8) of
 /// newton.hpp. (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3) without its sufficient
-/// decrease. (5) lets an iterate cross the kinks between slack and taut by a relaxed test, as in the watchdog
-/// technique (Chamberlain et al. 1982, Math. Programming Study 16), but without its return to the point
-/// before. The sum of all decreases shows whether m is as low as it has ever been: after a step that raised
-/// m, no other step may raise it until the sum has recovered. If every other step were allowed to go uphill,
-/// netting on a bed with friction would circle its equilibrium. (5) excludes steps longer than an element,
-/// whose −r·s is so large that it would allow any rise. (8) is tried if (4) finds no t = 1, all forces have
-/// an energy and K is symmetric.
+/// decrease. (5) is a relaxed test that lets an iterate cross the kinks between slack and taut, as in the
+/// watchdog technique (Chamberlain et al. 1982, Math. Programming Study 16), but without its return to the
+/// point before. The sum of all decreases of m shows whether m is as low as it has ever been: after a step
+/// that raised m, no other step may raise it until the sum has recovered. Otherwise, netting on a bed with
+/// friction would circle its equilibrium. (5) excludes steps longer than an element, whose −r·s is so large
+/// that it would allow any rise. (8) is tried if all forces have an energy, K is symmetric and (4) finds no t
+/// = 1.
 class MeritSteps {
  public:
   MeritSteps(const Newton::Parameters& parameters, std::size_t size) : p_(parameters), curved_(size) {}
 
-  /// Moves u along s by (5), else by (4), or by (8) if (4) is too short and (8) gains more.
+  /// Moves u along s: by (5) if it allows, otherwise by (4), or by (8) if (4) is too short and (8) gains
+  /// more.
   Step take(Iterate& iterate, const Direction& direction);
   /// Adds a decrease of m to the sum: that of a step, or of a move along negative curvature.
   void add_gain(double gain) {

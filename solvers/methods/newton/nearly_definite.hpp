@@ -10,14 +10,15 @@
 
 namespace netloft::newton {
 
-/// Finds σ of a K that is nearly definite: K is indefinite, and K + σ M is positive definite with a σ between
-/// `least_damping` and kMatters, the least stiffness that matters relative to M.
+/// Finds σ for a tangent K that is nearly definite: K is indefinite, but K + σ M is positive definite with a
+/// σ between `least_damping` and kMatters, the least stiffness that matters relative to the linear stiffness
+/// M.
 class NearlyDefinite {
  public:
   explicit NearlyDefinite(const DampingRange& range) : range_(range), sigma_(range.least) {}
 
-  /// Tries ever larger σ, from the last one divided by `factor` upwards. Returns the first with which K + σ M
-  /// is positive definite, and leaves K + σ M factorised. Returns nullopt if K is not nearly definite.
+  /// Tries ever larger σ, from the last one divided by `factor` upwards. Returns the first for which K + σ M
+  /// is positive definite, and leaves that matrix factorised. Returns nullopt if K is not nearly definite.
   std::optional<double> factorise(Problem& problem) {
     for (sigma_ = std::max(range_.least, sigma_ / range_.factor); sigma_ <= kMatters * (1 + kShortest);
          sigma_ *= range_.factor)

@@ -36,7 +36,7 @@ Step RoundOffSteps::fall_back(Iterate& iterate, double damping) {
   return step;
 }
 
-/// Tries a step by the undamped K, or by K + σ M if K is nearly definite.
+/// Tries a step by the undamped tangent K or, if K is only nearly definite, by K + σ M.
 Step RoundOffSteps::take_with_another_matrix(Iterate& iterate) {
   Problem& problem = iterate.problem();
   if (problem.factorise(Matrix::exact, 0) == Factor::ok) return take_newton_step(iterate);
@@ -60,7 +60,8 @@ Step RoundOffSteps::take_newton_step(Iterate& iterate) {
   return take_by_slope(iterate, s, 0);
 }
 
-/// Tries (7) along s, because the slope has significant digits when changes of the energy have none.
+/// Tries (7) of newton.hpp along s: where changes of the energy have no significant digits, the slope still
+/// has some.
 Step RoundOffSteps::take_by_slope(Iterate& iterate, std::span<const double> s, double damping) {
   const Step none{.damping = damping};
   const Path path{s};

@@ -13,8 +13,8 @@
 
 namespace netloft::newton {
 
-/// Detects steps whose progress is only rounding: −r·s, the decrease of a linear energy along a step s, must
-/// halve within `refinements` steps.
+/// Detects steps whose progress is only rounding: within `refinements` steps, −r·s, the decrease that a step
+/// s promises, must halve.
 class StallCount {
  public:
   explicit StallCount(std::int64_t most_steps) : most_steps_(most_steps) {}
@@ -32,18 +32,18 @@ class StallCount {
 };
 
 /// Steps whose predicted decrease of the energy is less than the rounding of the energy. The whole step is
-/// taken if it does not raise ‖r‖; otherwise, if μ = 0, the slope decides, by (7) of newton.hpp: the
+/// taken if it does not raise ‖r‖. Otherwise, if μ = 0, the slope decides by (7) of newton.hpp, the
 /// approximate Wolfe conditions (W. W. Hager and H. Zhang, SIAM J. Optim. 16, 2005).
 class RoundOffSteps {
  public:
   RoundOffSteps(const Newton::Parameters& parameters, Problem& problem, NearlyDefinite& nearly_definite,
                 NegativeCurvature& curvature);
 
-  /// Moves u by the whole step, or by a part of it by the slope, (7).
+  /// Moves u by the whole step, or by the part of it that (7) finds.
   Step take(Iterate& iterate, const Direction& direction);
-  /// Tries the undamped K, once at every point, after a damped step that has not moved u. If K is positive
-  /// definite or unsymmetric, its step is tried by take(). If all forces have an energy and K is nearly
-  /// definite, u moves along negative curvature or, if there is none, by (7) along a step of K + σ M.
+  /// After a damped step that has not moved u, tries the undamped K, once at every point. If K is positive
+  /// definite or unsymmetric, its step is tried by take(). If K is nearly definite and all forces have an
+  /// energy, u moves along negative curvature or, if there is none, by (7) along a step of K + σ M.
   Step fall_back(Iterate& iterate, double damping);
   /// Allows (7) again after stalled steps, because a step judged by the merit has moved u.
   void reset_stall_count() { stall_.reset(); }

@@ -11,14 +11,14 @@ namespace netloft::relaxation {
 
 namespace {
 
-/// The limit of λ in (5). If λ exceeds it, heavier masses reduce λ to kWantedRate, half of the limit, which
-/// is the bound of λ with the masses (1).
+/// The limit of λ in (5) of relaxation.hpp. If λ exceeds it, heavier masses reduce λ to kWantedRate, half the
+/// limit; with the masses (1), half the limit is the bound of λ for the linear stiffness.
 constexpr double kLargestRate = 4, kWantedRate = 2;
-/// Least mass as a fraction of the heaviest, half of the digits of a double. Nodes that the linear stiffness
-/// does not hold would have no mass and move too far.
+/// Least mass as a fraction of the heaviest: half of the digits of a double. Without it, nodes that the
+/// linear stiffness does not hold would have no mass and move too far.
 constexpr double kLightest = 0x1p-26;
-/// Limit of the increase of all masses. With heavier masses, a step moves nodes by less than rounding; if
-/// forces are still undefined, the method fails.
+/// Limit of the increase of all masses: with heavier ones, a step moves nodes by less than rounding. If
+/// forces are undefined even then, the method fails.
 constexpr double kMostHeavier = 1 / std::numeric_limits<double>::epsilon();
 
 class Motion {
@@ -88,7 +88,8 @@ class Motion {
     kinetic_ = {kinetic_[1], kinetic_[2], 0.5 * sum};
   }
 
-  /// Starts by (2) with the acceleration of half a step, as if the motion were reversed at u.
+  /// Starts by (2): half an acceleration gives the velocity of half a step, as if the motion were reversed at
+  /// u.
   void start_from_rest() {
     std::copy(problem_.u().begin(), problem_.u().end(), rest_.begin());
     double sum = 0;
@@ -101,7 +102,8 @@ class Motion {
 
   bool is_past_peak() const { return kinetic_[2] < kinetic_[1]; }
 
-  /// Returns to the peak by (4). The velocity v in (4) is the one before the last update (2), here v + r/m.
+  /// Returns to the peak of the kinetic energy by (4). The v of (4) is the velocity before the last update
+  /// (2), v + r/m.
   bool return_to_peak() {
     const auto [before, peak, after] = kinetic_;
     const double q = (peak - after) / (2 * peak - after - before);
