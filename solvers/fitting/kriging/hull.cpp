@@ -17,8 +17,8 @@ using Index = Eigen::Index;
 // Round-off of a distance and of its derivative, for coordinates of the size of one.
 constexpr double kNoDistance = 1e-9, kNoSlope = 1e-12;
 
-/// Minimises ‖A λ − b‖ over λ ≥ 0 by the active-set method of Lawson and Hanson. Functions are in the order
-/// of the algorithm.
+/// Minimises ‖A λ − b‖ over λ ≥ 0 by the active-set method of Lawson and Hanson, with its functions in the
+/// order of the algorithm.
 class LeastSquaresOfWeights {
  public:
   LeastSquaresOfWeights(const Matrix& a, const Vector& b) : a_(a), b_(b), weights_(Vector::Zero(a.cols())) {}
@@ -35,7 +35,8 @@ class LeastSquaresOfWeights {
   }
 
  private:
-  /// Returns the weight whose increase reduces the distance most, or -1 if no increase reduces it.
+  /// Returns the index of the weight whose increase reduces the distance most, or -1 if no increase reduces
+  /// it.
   Index steepest(const Vector& residual) const {
     const Vector slope = a_.transpose() * residual;
     Index best = -1;
@@ -46,8 +47,8 @@ class LeastSquaresOfWeights {
     return best;
   }
 
-  /// Moves towards the least squares of the free weights, until one of them becomes zero. Returns whether it
-  /// reached the least squares.
+  /// Moves towards the least-squares solution of the free weights, until one of these weights becomes zero.
+  /// Returns whether it has reached that solution.
   bool move_to_least() {
     Matrix columns(a_.rows(), static_cast<Index>(free_.size()));
     for (std::size_t k = 0; k < free_.size(); ++k) columns.col(static_cast<Index>(k)) = a_.col(free_[k]);

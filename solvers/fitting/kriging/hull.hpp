@@ -4,7 +4,7 @@
 
 namespace netloft {
 
-/// Whether a point x is in the convex hull of other points x_i, which means that there are λ ≥ 0 with
+/// Whether a point x is in the convex hull of the points x_i: whether there are λ ≥ 0 with
 ///   Σ λ_i x_i = x,  Σ λ_i = 1                                                                     (1)
 /// The λ are found by least squares with λ ≥ 0 (C. L. Lawson, R. J. Hanson, Solving least squares problems,
 /// 1974, ch. 23). Coordinates must be of about the size of one; within 1e-9 of the hull, x counts as inside.

@@ -21,16 +21,16 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 using Index = Eigen::Index;
 
-// Number of points used in the likelihood. Its minimum has a width of 1/√n, and each evaluation takes n³/3
-// operations.
+// Number of points used in the likelihood. More points locate its minimum, whose width is 1/√n, better, but
+// each evaluation takes n³/3 operations.
 constexpr Index kLikelihoodPoints = 150;
 // Range of the lengths over the extent of the points. With shorter lengths, points are uncorrelated; with
 // longer ones, the prediction is a parabola.
 constexpr double kShortest = 0.02, kLongest = 20;
-// Range of the scatter of the values over σ². With less scatter, K is singular in double precision; with
+// Range of ν, the scatter of the values over σ². With less scatter, K is singular in double precision; with
 // more, all variation is scatter.
 constexpr double kLeastScatter = 1e-10, kMostScatter = 1;
-// Steps of the search in ln ℓ and ln ν; the smallest changes (5) by less than one.
+// Steps of the search in ln ℓ and ln ν. The smallest step changes (5) by less than one.
 constexpr double kFirstStep = 1.6, kLastStep = 0.1;
 
 using Correlation = KrigingScales::Correlation;
@@ -41,7 +41,7 @@ double correlation(Correlation kind, double squared_distance) {
   return (1 + r + r * r / 3) * std::exp(-r);  // (2)
 }
 
-/// ln ℓ of every coordinate, then ln ν, of kriging.hpp (1).
+/// The parameters of kriging.hpp (1) that are searched for: ln ℓ of every coordinate, then ln ν.
 struct Scales {
   Correlation kind = Correlation::matern;
   std::vector<double> logs;
@@ -64,7 +64,7 @@ Matrix trend_of(const Matrix& points) {
   return is_known ? plane : plane.leftCols(1);
 }
 
-/// The factor of K, and the quantities of (3) to (6) derived from it.
+/// The factor of K at given scales, and the quantities of (3) to (6) in kriging.hpp that follow from it.
 struct Factorised {
   Factorised(const Matrix& points, const Matrix& trend, const Vector& values, const Scales& s)
       : scales(s), at(scaled(points, s)) {
@@ -82,7 +82,7 @@ struct Factorised {
     variance = weights.dot(rest) / static_cast<double>(n - trend.cols());
   }
 
-  /// Returns (5), or infinity if K has no factor.
+  /// Returns the quantity (5) that is minimised, or infinity if K has no factor.
   double unlikeliness() const {
     if (factor.info() != Eigen::Success || information.info() != Eigen::Success || !(variance > 0))
       return std::numeric_limits<double>::infinity();
@@ -103,7 +103,7 @@ struct Factorised {
   double variance = 0;
 };
 
-/// Searches for the likeliest scales along the axes, in steps that halve.
+/// Searches for the likeliest scales along one axis after the other, in steps that are halved.
 Scales search(const Matrix& points, const Matrix& trend, const Vector& values, Correlation kind) {
   const auto d = static_cast<std::size_t>(points.cols());
   Scales best{kind, std::vector<double>(d + 1, 0.0)};
@@ -200,7 +200,7 @@ class Kriging::Model {
   }
 
  private:
-  /// Returns f of a point, and its correlations κ with the given points.
+  /// Returns the row f of a point, and its correlations κ with the given points.
   std::pair<Vector, Vector> seen_from(const std::vector<double>& point) const {
     const Factorised& p = *process_;
     Eigen::RowVectorXd x = Eigen::Map<const Eigen::RowVectorXd>(point.data(), low_.size());

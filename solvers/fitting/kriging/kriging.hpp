@@ -21,14 +21,15 @@ struct KrigingScales {
   double scatter = 0;           // scatter ν of (1)
 };
 
-/// Universal kriging: values y at n points are the sum of a plane f β, f = (1, x₁ … x_d), and of a stationary
-/// normal process,
+/// Universal kriging. Values y at n points x, of d coordinates each, are taken as the sum of a plane f β, f =
+/// (1, x₁ … x_d), and of a stationary normal process with the covariance
 ///   cov(y(x), y(x')) = σ² (k(r) + ν [x = x']),   r² = Σ ((x_j − x'_j)/(ℓ_j w_j))²                  (1)
-/// with w_j the extent of the points in coordinate j and the likelier of two correlations,
+/// where ν is the scatter, w_j the extent of the points in coordinate j, and k the likelier of two
+/// correlations,
 ///   k = (1 + √5 r + 5/3 r²) e^{−√5 r}   (Matérn's of order 5/2),   k = e^{−r²/2}                    (2)
-/// The plane is replaced by a constant, f = 1, if there are less than 2 (d + 1) points or if the points are
-/// in a plane. With K = k + ν I, F the rows f of all points, κ the correlations with the point of the
-/// prediction:
+/// A constant, f = 1, replaces the plane if there are less than 2 (d + 1) points or if the points are in a
+/// plane. The prediction m at a point has the variance s². With K = k + ν I, F the rows f of all given
+/// points, κ their correlations with the predicted point:
 ///   m = f β + κᵀ K⁻¹ (y − F β),   β = A⁻¹ Fᵀ K⁻¹ y,   A = Fᵀ K⁻¹ F                                  (3)
 ///   s² = σ² (1 + ν − κᵀ K⁻¹ κ + uᵀ A⁻¹ u),   u = f − Fᵀ K⁻¹ κ,
 ///   σ² = (y − F β)ᵀ K⁻¹ (y − F β)/(n − p),   p the length of f                                      (4)
@@ -51,7 +52,7 @@ class Kriging {
   Kriging& operator=(const Kriging&) = delete;
 
   KrigingValue at(const std::vector<double>& point) const;
-  /// Returns m alone, which takes n operations; s would take n².
+  /// Returns m alone, which takes n operations, whereas s takes n².
   double value_at(const std::vector<double>& point) const;
   /// Returns ℓ and ν, or nullopt if all values are equal.
   std::optional<KrigingScales> scales() const;

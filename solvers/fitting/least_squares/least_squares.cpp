@@ -21,7 +21,7 @@ constexpr const char* kNoStart = "the model has no answer at the means of the pr
 
 double squared(double x) { return x * x; }
 
-/// A point θ with its predictions and the sums of (1).
+/// A point θ (the parameters) with its predictions and the two sums of (1) in least_squares.hpp.
 struct Point {
   std::vector<double> parameters, predictions;
   double misfit = 0, prior_misfit = 0;
@@ -64,7 +64,7 @@ class Fitter {
     return ended(false, "the model has no answers around the best point, and so no slopes");
   }
 
-  /// Returns the fit at the last point whose slopes are known, or an empty fit if there is no such point.
+  /// Returns the fit at the last point whose slopes are known, or an empty fit if no slopes are known.
   Fit interrupted() {
     if (slopes_.size() == 0) return ended(false, "interrupted");
     point_ = std::move(sloped_);
@@ -110,7 +110,7 @@ class Fitter {
     return true;
   }
 
-  /// Whether a parameter is at an end of its range and a descent would leave the range.
+  /// Whether a parameter is at an end of its range and a descent would leave the range there.
   bool is_pinned(std::size_t j) const {
     const double slope = gradient_(static_cast<Eigen::Index>(j)), at = point_.parameters[j];
     return (at <= priors_[j].low && slope > 0) || (at >= priors_[j].high && slope < 0);

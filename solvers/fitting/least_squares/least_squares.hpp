@@ -23,8 +23,7 @@ struct Measurement {
 class Model {
  public:
   virtual ~Model() = default;
-  /// Returns f(θ), or nullopt if the model has no solution. `slopes` starts from the last point of this
-  /// function.
+  /// Returns f(θ), or nullopt if the model has no solution. The next call of `slopes` starts from this point.
   virtual std::optional<std::vector<double>> predict(const std::vector<double>& parameters) = 0;
   /// Returns ∂f/∂θ at θ, a row per measurement, or nullopt if the model has no solution near θ.
   virtual std::optional<std::vector<std::vector<double>>> slopes(const std::vector<double>& parameters) = 0;
@@ -37,15 +36,16 @@ struct FitOptions {
   double tolerance = 0.01;  // the fit ends if the expected decrease of S is smaller than this
 };
 
-/// A calibration by least squares:
+/// A calibration by least squares, which finds the parameters θ of a model f(θ) that fit measurements y best:
 ///   S(θ) = Σ ((y_i − f_i)/σ_i)² + Σ ((θ_j − m_j)/s_j)²                                            (1)
 ///   (N + λ diag N) δ = −g,  N = JᵀJ + I,  g = Jᵀr + z,  z_j = (θ_j − m_j)/s_j, J = −(∂f/∂θ) s/σ       (2)
-/// y, σ are the measurements and their deviations, m, s those of the priors, r_i = (y_i − f_i)/σ_i; δ is a
-/// step of θ in units of s. Steps are those of K. Levenberg, Quart. Appl. Math. 2, 1944, and D. Marquardt,
-/// SIAM J. Appl. Math. 11, 1963, cut off at the ends of the range of the prior; a parameter at an end whose
-/// step points outward is fixed. The posterior is the normal distribution with
+/// σ are the deviations of the measurements, m and s the means and deviations of the priors, r_i = (y_i −
+/// f_i)/σ_i; δ is a step of θ in units of s, λ its damping. Steps are those of K. Levenberg, Quart. Appl.
+/// Math. 2, 1944, and D. Marquardt, SIAM J. Appl. Math. 11, 1963, cut off at the ends of the range of the
+/// prior; a parameter at an end is fixed if its step points outward. The posterior is the normal distribution
+/// with
 ///   mean θ*, covariance N⁻¹ at λ = 0                                                              (3)
-/// which is exact for a linear model. Predictions of a measurement that is not yet made have the variance
+/// which is exact for a linear model. The prediction of a measurement that is not yet made has the variance
 ///   J_f N⁻¹ J_fᵀ + σ²,  J_f = (∂f/∂θ) s                                                           (4)
 struct Fit {
   bool converged = false;
@@ -62,7 +62,7 @@ struct Fit {
 
 /// Fits `measured`. The model may predict additional values, which get deviations, too. `parameters` is empty
 /// if the model has no solution at the means of the priors, or no slopes at a point of the iteration. An
-/// interruption leaves the best point whose slopes are known, if there is one.
+/// interrupted fit is that at the best point whose slopes are known, if there is one.
 Fit fit(Model& model, const std::vector<Prior>& priors, const std::vector<Measurement>& measured,
         const FitOptions& options = {});
 

@@ -3,7 +3,8 @@
 
 namespace netloft {
 
-/// Central differences in the form that starts by itself (velocity Verlet):
+/// Central differences in the self-starting form (velocity Verlet), with displacements u, velocities v,
+/// accelerations a, the step h, and the equation of motion F = 0:
 ///   uₙ₊₁ = uₙ + h vₙ + ½ h² aₙ                                                     (1)
 ///   F(tₙ₊₁, uₙ₊₁, vₙ + h aₙ, aₙ₊₁) = 0    drag and damping at a predicted velocity  (2)
 ///   vₙ₊₁ = vₙ + ½ h (aₙ + aₙ₊₁)                                                     (3)

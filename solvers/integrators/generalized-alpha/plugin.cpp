@@ -6,8 +6,8 @@
 namespace netloft {
 
 /// The generalized-α method of Chung and Hulbert (J. Appl. Mech. 60, 1993): Newmark's method with the
-/// equation of motion at a time within the step, so that its spectral radius ρ at infinite frequency can be
-/// chosen: 1 conserves energy, 0 removes motions that are too fast for h within one step.
+/// equation of motion F = 0 at a time within the step h. Its spectral radius ρ at infinite frequency can
+/// therefore be chosen: 1 conserves energy, 0 removes motions that are too fast for h within one step.
 ///   α_m = (2ρ − 1)/(ρ + 1),  α_f = ρ/(ρ + 1),  γ = ½ − α_m + α_f,  β = ¼ (1 − α_m + α_f)²         (1)
 ///   F(t_f, u_f, v_f, a_m) = 0,  t_f = tₙ + (1 − α_f) h                                            (2)
 ///   u_f = (1 − α_f) uₙ₊₁ + α_f uₙ,  v_f alike,  a_m = (1 − α_m) aₙ₊₁ + α_m aₙ                      (3)

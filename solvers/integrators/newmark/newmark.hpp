@@ -15,8 +15,8 @@ namespace netloft::newmark {
 /// (2), (3) and q̈ₙ₊₁ from (1) until β h² q̈ₙ₊₁ settles. It solves no linear system. For a linear spring of
 /// frequency ω, every pass multiplies an error of q̈ₙ₊₁ by −β h² ω², so that the iteration converges if
 ///   h < 1/(√β ω_max)                                                                    (5)
-/// The corrector "solve", with χ = 0, solves (1) as a problem in qₙ₊₁, with q̈ₙ₊₁ from (2). ũ are the terms
-/// of (2) at tₙ:
+/// The corrector "solve", with χ = 0, solves (1) for qₙ₊₁ with q̈ₙ₊₁ from (2). With ũ, the terms of (2) at
+/// tₙ:
 ///   q̈ = (q − ũ)/(β h²),  q̇ = q̇ₙ + h (1 − γ) q̈ₙ + γ (q − ũ)/(β h)                        (6)
 /// It is stable for any h if χ ≤ 0, and of first order if χ < 0, of second order if χ = 0.
 ///

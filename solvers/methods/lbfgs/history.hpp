@@ -18,8 +18,8 @@ class Memory {
   /// Adds s, y and B y. Returns false and changes nothing if (4) of lbfgs.hpp leaves the pair out.
   bool add(std::span<const double> s, std::span<const double> y, std::span<const double> By);
 
-  /// Writes H r to p, given B r: two loops over the pairs, Nocedal and Wright, alg. 7.4. B q is computed as
-  /// B r − Σ α_i B y_i, so that a step applies B only once, γ included. `q` is scratch.
+  /// Writes H r to p, given B r. The two loops over the pairs are those of Nocedal and Wright, alg. 7.4; B q
+  /// is computed as B r − Σ α_i B y_i, so that a step applies B only once, γ included. `q` is scratch.
   void multiply(std::span<const double> r, std::span<const double> Br, std::span<double> q,
                 std::span<double> p);
 

@@ -8,9 +8,9 @@
 
 namespace netloft::newton {
 
-/// The range of the damping μ of K + μ M, and how μ rises and falls. Below `least_damping`, μ becomes 0. For
-/// an unsymmetric K, whose definiteness is unknown, μ rises from 0 to √ε and falls down to ε, the rounding
-/// error of a double, because soft parts of a gear need less damping than stiff ones.
+/// The range of the damping μ of K + μ M (newton.hpp (2)), and how μ rises and falls. Below `least_damping`,
+/// μ becomes 0. If K is unsymmetric, its definiteness is unknown: μ then rises from 0 to √ε and falls down to
+/// ε, the rounding error of a double, because soft parts of a gear need less damping than stiff parts.
 struct DampingRange {
   double least, most, factor;
   double end;  // a μ below this becomes 0

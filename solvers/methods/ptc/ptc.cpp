@@ -9,10 +9,10 @@ namespace netloft::ptc {
 
 namespace {
 
-// With a shorter step, M/δ leaves K only half of its digits; with a longer one, M/δ is lost in the rounding
-// of K.
+// Range of the step δ. With a shorter step, M/δ leaves only half of the digits of K; with a longer step, M/δ
+// is lost in the rounding of K.
 constexpr double kShortestStep = 0x1p-26, kLongestStep = 0x1p52;
-// Limit in (3) of the growth of the driving force during a step.
+// Largest growth of the driving force d·r during a step, the factor 2 of (3) in ptc.hpp.
 constexpr double kMostGrowth = 2;
 
 class ImplicitSteps {
@@ -71,7 +71,7 @@ class ImplicitSteps {
     return evaluate_here();
   }
 
-  /// Whether (3) holds: a step that violates (3) does not follow the motion.
+  /// Whether (3) of ptc.hpp holds. A step that violates it does not follow the motion.
   bool follows_motion() { return dot(moved_, r_) >= kMostGrowth * dot(moved_, r_before_); }
 
   void adapt_step(std::int64_t corrections) {

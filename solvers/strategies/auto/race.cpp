@@ -13,14 +13,15 @@ namespace netloft::automatic {
 
 namespace {
 
-/// g of (1): the growth of slices that minimises the bound on the cost in race.hpp.
+/// The growth g of slices in (1) of race.hpp. This value minimises the bound on the cost given there.
 constexpr double kGrowth = 2;
 
-/// Limit of iterations with compensated positions. Of 144 gears in round_off_test.cpp, 140 converge without a
-/// limit, 140 with 8 and 143 with 20, because work is left for other attempts.
+/// Limit of iterations with compensated positions (positions with additional digits). The limit leaves work
+/// for other attempts: of 144 gears in round_off_test.cpp, 140 converge without a limit, 140 with 8 and 143
+/// with 20.
 constexpr unsigned kStepsAtRoundOff = 20;
 
-/// Perturbation used to leave a stationary point, as a fraction of the element size; equilibria closer
+/// Perturbation with which a stationary point is left, as a fraction of the element size. Equilibria closer
 /// together than this count as one. It is small because an element can be as long as a whole warp.
 constexpr double kBeside = 1e-3;
 
@@ -40,11 +41,11 @@ Displacements start_with_forces(Search& search) {
   return perturbed(search.start(), little(search));
 }
 
-/// Returns the saddle displaced by t y to side 0 or side 1, where y is the growing motion, scaled so that no
-/// coordinate changes by more than the size of an element. t is the largest of 1, ½, ¼, … for which the force
-/// still points away from the saddle:
+/// Returns the saddle displaced by t y to side 0 or side 1. y is the growing motion, scaled so that its
+/// largest coordinate is the size of an element. t is the largest of 1, ½, ¼, … for which the force still
+/// points away from the saddle:
 ///   t y·r(u + t y) < 0                                                                    (2)
-/// because the gear comes to rest near the greatest such t. If y is not known, the sides are two different
+/// Near the greatest such t, the gear comes to rest. If y is not known, the sides are two different
 /// perturbations.
 Displacements beside(Search& search, const Stage& saddle, const Ask& ask, int side) {
   const double largest = largest_of(saddle.growing);
@@ -100,8 +101,8 @@ void Race::run_slice(Runner& runner, double slice) {
 }
 
 /// Moves off an unstable equilibrium to one side and, if that does not converge, to the other side. If this
-/// leads to an unstable equilibrium that was not met before in this race, both sides of that one are tried
-/// instead. An equilibrium with flutter is not left, because the motion comes back to it from either side.
+/// leads to another unstable equilibrium that this race has not met before, both sides of the new one are
+/// tried instead. An equilibrium with flutter is not left, because the motion returns to it from either side.
 Stage Race::off_saddle(Stage stage, const Budget& budget) {
   while (stage.ending == Ending::unstable && !stage.flutters()) {
     const std::size_t at = find_saddle(std::move(stage));
@@ -112,7 +113,8 @@ Stage Race::off_saddle(Stage stage, const Budget& budget) {
   return stage;
 }
 
-/// Index of an unstable equilibrium among those that this race has met; a new one is added.
+/// Returns the index of an unstable equilibrium among those that this race has met, after adding it if it is
+/// new.
 std::size_t Race::find_saddle(Stage stage) {
   const auto found = std::find_if(saddles_.begin(), saddles_.end(), [&](const Saddle& known) {
     return is_one_place(search_, known.stage.u, stage.u);
@@ -123,7 +125,7 @@ std::size_t Race::find_saddle(Stage stage) {
   return saddles_.size() - 1;
 }
 
-/// Solves from the sides of a saddle that have not been tried to their end. Returns the first equilibrium
+/// Solves from those sides of a saddle that have not been tried to their end. Returns the first equilibrium
 /// that was not met before, or nothing.
 std::optional<Stage> Race::leave(std::size_t at, const Budget& budget) {
   const auto ask = [&] {
@@ -143,8 +145,8 @@ std::optional<Stage> Race::leave(std::size_t at, const Budget& budget) {
   return {};
 }
 
-/// Solves again with compensated positions if the residual is below the rounding of the positions. The digits
-/// that they add are gained in a few steps or not at all, because Newton's method doubles correct digits.
+/// Solves again with compensated positions if the residual is below the rounding of the positions. A few
+/// steps gain the additional digits or none do, because Newton's method doubles the number of correct digits.
 Stage Race::with_compensated_positions(Stage stage) {
   const bool is_rounded =
       stage.has_forces() && stage.residual <= stage.rounding && stage.ending != Ending::unstable;
@@ -155,9 +157,9 @@ Stage Race::with_compensated_positions(Stage stage) {
   return next.has_converged() && next.residual <= stage.residual ? std::move(next) : std::move(stage);
 }
 
-/// Keeps the better of two stages at an equilibrium: a converged one before an unstable one; of two unstable
-/// ones, one about which the gear swings before one that it leaves, then that of slower growth, then the
-/// better balanced one.
+/// Keeps the better of two stages at an equilibrium. A converged stage is better than an unstable one. Of two
+/// unstable ones, that with flutter is better than that which the gear leaves; then slower growth decides,
+/// then the better balance.
 void Race::keep_better(const Stage& stage) {
   if (!stage.is_stationary()) return;
   const auto rank = [](const Stage& one) {

@@ -9,7 +9,7 @@
 
 namespace netloft::automatic {
 
-/// The work that a search may still spend when the object is made, or a part of that work.
+/// The work that a search may still spend, counted from when the object is made, or a part of that work.
 class Budget {
  public:
   explicit Budget(Search& search, double end = 0) : search_(search), begun_(search.work_left()), end_(end) {}
@@ -17,7 +17,7 @@ class Budget {
   double spent() const { return begun_ - search_.work_left(); }
   double left() const { return search_.work_left() - end_; }
   bool is_used_up() const { return left() <= 0; }
-  /// Returns a part of the budget that is left, with at most this much work.
+  /// Returns a budget for a part of the work that is left: at most `work`.
   Budget split(double work) const { return Budget(search_, std::max(end_, search_.work_left() - work)); }
   /// Ends after this much more work, unless an end has been set before.
   void end_after(double work) {
@@ -30,13 +30,13 @@ class Budget {
 };
 
 /// Runs attempts in slices of work, so that no attempt can use up the budget before the others have been
-/// tried. In each round, all attempts get a slice of the same length; the slices of the next round are
-/// longer. An attempt that was cut off close to balance gets its longer slice at once. The lengths are
+/// tried. All slices of one round have the same length; those of the next round are longer. An attempt that
+/// was cut off close to balance gets its longer slice at once. The lengths are
 ///   w₀, g w₀, g² w₀, …,   g = 2                                                          (1)
-/// If one of n attempts succeeds with work w ≥ w₀, no saddle is met and no attempt is cut off close to
-/// balance, the race costs at most about n w g²/(g − 1), which is least with this g (as in M. Luby, A.
-/// Sinclair and D. Zuckerman, Optimal speedup of Las Vegas algorithms, Inf. Process. Lett. 47, 1993).
-/// README.md explains the rules.
+/// Suppose that one of n attempts succeeds with work w ≥ w₀, that no saddle is met, and that no attempt is
+/// cut off close to balance. The race then costs at most about n w g²/(g − 1), which is least with this g (as
+/// in M. Luby, A. Sinclair and D. Zuckerman, Optimal speedup of Las Vegas algorithms, Inf. Process. Lett. 47,
+/// 1993). README.md explains the rules.
 class Race {
  public:
   Race(Search& search, const Options& options);
@@ -53,7 +53,8 @@ class Race {
     Fate fate = Fate::again;
   };
 
-  /// An unstable equilibrium, and which of its two sides have led to an end that more work does not change.
+  /// An unstable equilibrium, and for each of its two sides whether it has led to an end that more work does
+  /// not change.
   struct Saddle {
     Stage stage;
     std::array<bool, 2> is_tried{};

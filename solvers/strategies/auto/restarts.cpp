@@ -10,8 +10,8 @@ namespace netloft::automatic {
 
 namespace {
 
-/// Removes resistance to compression at the equilibrium `at`. Returns the largest force on a node that is
-/// then out of balance, relative to the largest load.
+/// Removes the resistance to compression at the equilibrium `at`. Returns the largest force on a node that
+/// this leaves out of balance, relative to the largest load.
 double borne_by_compression(Search& search, const Stage& at) {
   return search.assess({.name = "what is in compression", .variant = {.compression = 0}}, at.u).imbalance();
 }
@@ -23,7 +23,7 @@ bool may_have_other_shapes(Search& search, const Options& options, const Stage& 
          (options.everywhere || borne_by_compression(search, at) > kOnlyAStart);
 }
 
-/// Returns the shape without resistance to compression, in which parts in compression fold.
+/// Returns the equilibrium without resistance to compression, in which parts in compression have folded.
 Displacements without_compression(Search& search, const Stage& best, double work) {
   const Ask ask{.name = "nothing in compression",
                 .variant = {.compression = 0},

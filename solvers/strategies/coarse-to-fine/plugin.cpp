@@ -8,11 +8,11 @@ namespace {
 
 using namespace netloft;
 
-/// Grid sequencing: the strategy `by` brings a coarser mesh of the same gear to equilibrium, possibly with
-/// still coarser meshes, and the strategy `then` solves the scene itself from there. W. Hackbusch, Multi-Grid
-/// Methods and Applications, 1985, section 5 (nested iteration). A coarser mesh gets at most half of the
-/// work; if it has not converged by then, the strategy gives up and leaves the other half to its caller.
-/// Without this limit, each of several meshes could use up the budget before the next finer one began.
+/// Grid sequencing (nested iteration: W. Hackbusch, Multi-Grid Methods and Applications, 1985, section 5).
+/// The strategy `by` brings a coarser mesh of the same gear to equilibrium, possibly with still coarser
+/// meshes; from there, the strategy `then` solves the scene itself. A coarser mesh gets at most half of the
+/// work. If it has not converged by then, the strategy gives up and leaves the other half to its caller;
+/// otherwise each of several meshes could use up the budget before the next finer one began.
 struct CoarseToFine {
   struct Parameters {
     const char *by = nullptr, *then = nullptr;
@@ -49,7 +49,7 @@ struct CoarseToFine {
   static constexpr double kMostOfCoarser = 0.5;
 
   /// Solves the scene by the strategy `then`. The start is assessed first, so that there is a result even if
-  /// the strategy `then` is cut off before it has solved anything.
+  /// that strategy is cut off before it has solved anything.
   static Stage called_from(const Displacements& start, const Parameters& p, Search& search) {
     Stage fine = search.assess({.name = kFromCoarser}, start);
     const Specification then = specification_of(p.then);

@@ -11,9 +11,9 @@ using namespace netloft;
 
 /// Finds several equilibria by deflation: the known roots uᵢ are divided out of the residual,
 ///   r(u) Π ηᵢ(u) = 0,   ηᵢ = L²/qᵢ + 1,   qᵢ = ‖u − uᵢ‖²                                 (1)
-/// which has all roots of r except these. Its tangent differs from that of r by a matrix of rank one, so that
-/// its Newton step is a multiple of the Newton step of r (Sherman and Morrison), computed with the factor of
-/// K:
+/// which has all roots of r except the known ones. Its tangent differs from that of r by a matrix of rank
+/// one. Its Newton step is therefore a multiple of the Newton step of r (Sherman and Morrison), computed with
+/// the factor of K, the tangent of r:
 ///   u ← u + τ s,   s = −K⁻¹ r,   τ = 1/(1 − Σ s·∇ηᵢ/ηᵢ)                                  (2)
 ///   s·∇η/η = −2 L² s·(u − uᵢ)/(q (L² + q))                                               (3)
 /// (P. E. Farrell, Á. Birkisson, S. W. Funke, Deflation techniques for finding distinct solutions of

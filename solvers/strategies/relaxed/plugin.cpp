@@ -11,8 +11,8 @@ using namespace netloft;
 /// budget of work limits them.
 constexpr unsigned kAsManyAsItTakes = 10000000;
 
-/// A strategy for elements that stick and slide, whose tangent does not predict the next state: a matrix-free
-/// solver brings the gear close to equilibrium, and the solver of the analysis continues from there. If this
+/// A strategy for elements that stick and slide, whose tangent does not predict the next state. A matrix-free
+/// solver brings the gear close to equilibrium; the solver of the analysis continues from there. If that
 /// solver does not converge, the matrix-free solver continues to the end.
 struct Relaxed {
   struct Parameters {

@@ -8,14 +8,14 @@ namespace {
 
 using namespace netloft;
 
-/// Continuation in the stiffness. If stiff bars must turn, Newton's method can take only short steps; soft
-/// bars turn in one step. The scene is solved with a cap on all axial stiffnesses,
+/// Continuation in the stiffness: if bars must turn, Newton's method can take only short steps with stiff
+/// bars, but turns soft bars in one step. The scene is solved with a cap C on all axial stiffnesses,
 ///   C₁ = f F,  C_{k+1} = f C_k until C_k reaches the largest stiffness                    (1)
-/// F the largest load on a node (E. L. Allgower and K. Georg, Introduction to Numerical Continuation Methods,
-/// 2003, ch. 6). The first cap without an equilibrium is the last; the scene itself is solved from the end of
-/// that stage. Each cap is solved to the tolerance of the scene: a small residual force can move slack
-/// netting between steel ropes far, and this costs the fewest iterations while the ropes are soft
-/// (tests/bench/sensitivity.md).
+/// with the factor f and the largest load F on a node (E. L. Allgower and K. Georg, Introduction to Numerical
+/// Continuation Methods, 2003, ch. 6). The first cap without an equilibrium is the last one; the scene itself
+/// is solved from the end of that stage. Each cap is solved to the tolerance of the scene: a small residual
+/// force can move slack netting between steel ropes far, and removing it costs the fewest iterations while
+/// the ropes are soft (tests/bench/sensitivity.md).
 struct StiffnessSteps {
   struct Parameters {
     double factor = 0;
@@ -42,7 +42,7 @@ struct StiffnessSteps {
  private:
   static double first_cap(const Parameters& p, Search& search) { return p.factor * search.largest_load(); }
 
-  /// Returns the equilibrium with the last cap of (1), or the state in which the first failed solve ended.
+  /// Returns the equilibrium with the largest cap of (1), or the state in which the first failed solve ended.
   static Displacements stiffened(const Parameters& p, Search& search, double cap) {
     Displacements u = search.start();
     for (; cap < search.stiffness() && search.work_left() > 0; cap *= p.factor) {

@@ -66,7 +66,7 @@ bool InteriorPoint::has_converged() const {
   return mu_ <= kSolved * load_ && largest_residual() <= kSolved * load_;
 }
 
-/// Returns the mean of z·y over all members, weighted by their length: the μ that the point has reached.
+/// Returns the μ that the point has reached: the mean of z·y over all members, weighted by their length.
 double InteriorPoint::mean_complementarity() const {
   double sum = 0, length = 0;
   for (std::size_t e = 0; e < members_.size(); ++e) {
@@ -107,7 +107,7 @@ void InteriorPoint::set_member(std::size_t e) {
   forces_[e] = {-y[1], -y[2], -y[3]};
 }
 
-/// Factorises the matrix, which counts as positive definite until r makes it indefinite for the first time.
+/// Factorises the matrix. It counts as positive definite until r makes it indefinite for the first time.
 bool InteriorPoint::factorise() {
   if (!is_indefinite_) {
     const Factor factor = members_.factorise();
@@ -144,7 +144,7 @@ void InteriorPoint::correct(double mu) {
   solve_for_step();
 }
 
-/// Solves (3) for the step with the present g of every member.
+/// Solves (3) of interior_point.hpp for the step, with the present g of every member.
 void InteriorPoint::solve_for_step() {
   rhs_ = residual_;
   for (std::size_t e = 0; e < members_.size(); ++e) {
@@ -159,7 +159,7 @@ void InteriorPoint::solve_for_step() {
   for (std::size_t e = 0; e < members_.size(); ++e) set_step(e);
 }
 
-/// Returns ζ of (4) for along = 0, and δz₀ for along = h·δw/l₀.
+/// Returns the ζ of (4) if along = 0, and δz₀ if along = h·δw/l₀.
 double InteriorPoint::zeta(std::size_t e, double g0, double along) const {
   const double T = states_[e].y[0], z0 = states_[e].z0;
   return (EA(e) * (1 - z0) + T + g0 - along) / (EA(e) + scaling_[e].squared(0, 0));

@@ -5,18 +5,18 @@
 
 namespace netloft::tension {
 
-/// Equilibrium of members that bear tension only, by an interior-point method. Two complementary points z, y
-/// of the second-order cone K (z ∘ y = 0) state whether a member is slack or taut; they are solved for
-/// together with the positions, so that no step has to guess which members are slack. A member has tension T,
-/// force vector q, chord w, and number n and coefficients c of netloft_member; r are all other forces:
+/// Equilibrium of members that bear tension only, by an interior-point method. Two complementary points z and
+/// y of the second-order cone K (z ∘ y = 0, second_order_cone.hpp) state whether a member is slack or taut.
+/// They are solved for together with the positions u, so that no step has to guess which members are slack. A
+/// member has tension T, stiffness EA, unstretched length l₀, chord w, direction t, force vector q, and the
+/// number n and coefficients c of netloft_member; r are all other forces:
 ///   r(u) + Σ n c q = 0,  z = (1 + T/EA, w/l₀) ∈ K,  y = (T, −q) ∈ K                         (1)
 ///   z ∘ y = μ e,  μ → 0                                                                     (2)
 /// At μ = 0, either T = 0 and the member may have any shorter length, or w has the length l₀ (1 + T/EA) and q
 /// = T t. Under dead loads these are the conditions of a convex problem, which has one energy (Y. Kanno, M.
-/// Ohsaki, J. Ito, "Large-deformation and friction analysis of non-linear elastic cable networks by
-/// second-order cone programming", Int. J. Numer. Methods Eng. 55, 2002). Newton's step for (1) and (2)
-/// is scaled by W (W z = W⁻¹ y, H = W²), and T, q and z₀ are eliminated member by member; h = (H₁₀, H₂₀,
-/// H₃₀), H̄ is the other 3 × 3 block:
+/// Ohsaki, J. Ito, Int. J. Numer. Methods Eng. 55, 2002). Newton's step for (1) and (2) is scaled by W (W z =
+/// W⁻¹ y, H = W²), and T, q and z₀ are eliminated member by member; h = (H₁₀, H₂₀, H₃₀), H̄ is the other 3 ×
+/// 3 block of H, ḡ the last three numbers of g:
 ///   (∂r/∂u + Σ n c cᵀ/l₀ [H̄ − h hᵀ/(EA + H₀₀)]) s = −(r + Σ n c [q − ḡ + h ζ])               (3)
 ///   ζ = (EA (1 − z₀) + T + g₀)/(EA + H₀₀)                                                   (4)
 ///   g = −y for a trial step, which reaches the boundary of K at the length a₀; then, with the same matrix,
@@ -24,16 +24,16 @@ namespace netloft::tension {
 ///   a = `to_boundary` of the way to the boundary of K, at most a whole step                 (6)
 /// (Mehrotra's predictor and corrector for cones: E. D. Andersen, C. Roos, T. Terlaky, Math. Program. 95,
 /// 2003.) w is linear in u, so that the geometry of the members limits no step. Drag belongs to no convex
-/// problem; it is linearised at every step like all of r. The method fails if a step becomes shorter than
-/// 1 − `to_boundary`. It has converged if μ and the residual are less than 2⁻²⁶ of the load, half of the
-/// digits of a double; Newton's method finds the other digits in one step. The method neglects the resistance
-/// of members to compression.
+/// problem; it is linearised at every step like all of r. The method fails if a step becomes shorter than 1 −
+/// `to_boundary`. It has converged if μ and the residual are less than 2⁻²⁶ of the load, half of the digits
+/// of a double; Newton's method finds the other digits in one step. The resistance of members to compression
+/// is neglected.
 class InteriorPoint {
  public:
   /// The options, which strategies.cpp explains.
   struct Parameters {
     double to_boundary = 0;  // (6)
-    /// The fraction of the way to the boundary of K that a step leaves. A taut member starts with z₀ − ‖z̄‖
+    /// The fraction of the way to the boundary of K that a step leaves; a taut member starts with z₀ − ‖z̄‖
     /// of this size.
     double room() const { return 1 - to_boundary; }
   };

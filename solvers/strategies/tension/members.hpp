@@ -28,8 +28,9 @@ struct Line {
   double f, a, b;
 };
 
-/// netloft_members with C++ types: the members of a scene, straight lines that bear tension, and all other
-/// forces r(u). f is the force vector of a member, n its number and c its coefficients in netloft_member.
+/// netloft_members with C++ types: the members of a scene, which are straight lines that bear tension, and
+/// all other forces r(u). A member has the force vector f, and the number n and coefficients c of
+/// netloft_member.
 class Members {
  public:
   explicit Members(netloft_members& m) : m_(m) {}
@@ -61,8 +62,7 @@ class Members {
   void add_forces(const std::vector<Vector>& f, std::vector<double>& residual) {
     check(m_.add_forces(m_.host, f.data()->data(), residual.data()));
   }
-  /// Sets the matrix to the tangent of r plus Σ n c cᵀ K over all members; `K` has the stiffness of each
-  /// member.
+  /// Sets the matrix to the tangent of r plus Σ n c cᵀ K over all members. `K` has the stiffness of each.
   void set_matrix(const std::vector<Block>& K) { check(m_.set_matrix(m_.host, K.data()->data())); }
   /// Sets the matrix from the stiffness K of each member in `lines`, and adds the forces of `lines` to the
   /// residual.

@@ -11,7 +11,7 @@ namespace netloft::tension {
 
 namespace {
 
-// A smaller μ is lost in rounding of the matrix.
+// Least damping μ that is used; a smaller μ is lost in the rounding of the matrix.
 constexpr double kLeastDamping = std::numeric_limits<double>::epsilon();
 
 }  // namespace
@@ -75,8 +75,8 @@ void MixedNewton::follow_positions() {
   for (std::size_t e = 0; e < members_.size(); ++e) T_[e] = tension_at(e, geometry_[e].strain);
 }
 
-/// Computes r and its tangent, unless the last stage has computed them at this u. Returns false if elements
-/// cannot compute their forces.
+/// Computes r and its tangent, unless they are known from the last stage, which ended at this u. Returns
+/// false if elements cannot compute their forces.
 bool MixedNewton::find_rest(std::span<const double> u) {
   if (!knows_rest_) knows_rest_ = members_.evaluate(u, rest_);
   return knows_rest_;
@@ -108,7 +108,7 @@ bool MixedNewton::is_balanced(double tolerance) const {
   return largest <= tolerance * reaction;
 }
 
-/// Computes the matrix and the right-hand side of (2). Returns false if the right-hand side is not finite.
+/// Computes matrix and right-hand side of (2) in mixed_newton.hpp. Returns false if the latter is not finite.
 bool MixedNewton::assemble() {
   for (std::size_t e = 0; e < members_.size(); ++e) {
     const Geometry& g = geometry_[e];
@@ -161,8 +161,8 @@ void MixedNewton::take(const Stage& stage, std::span<double> u) {
     adapt_damping(a);
 }
 
-/// Updates the tensions by (3). If the step makes a slack member taut, its linearised stretch is arbitrary;
-/// therefore it counts as the strain kMatters at most.
+/// Updates the tensions by (3) of mixed_newton.hpp. If a step makes a slack member taut, its linearised
+/// stretch is arbitrary; therefore the strain is limited to kMatters.
 void MixedNewton::move_tensions(double a) {
   for (std::size_t e = 0; e < members_.size(); ++e) {
     const Geometry& g = geometry_[e];

@@ -7,8 +7,9 @@ namespace netloft::tension {
 /// Newton's method with the tension of every member as an additional unknown: a point consists of positions u
 /// and tensions T, which need not be consistent before convergence.
 ///   r(u) + Σ n c T t = 0,  T = k ε(u),  k = EA where T > 0, else EA_c                              (1)
-/// A member has the unit vector t, length l, strain ε, and number n and coefficients c of netloft_member; r
-/// are all other forces. With T eliminated, a step is
+/// A member has the unit vector t, length l, unstretched length l₀, strain ε, stiffness EA in tension and
+/// EA_c in compression, and the number n and coefficients c of netloft_member; r are all other forces. With T
+/// eliminated, a step s of length a is
 ///   (∂r/∂u + Σ n c cᵀ [k/l₀ t tᵀ + T/l (I − t tᵀ)] + D) s = −(r + Σ n c k ε(u) t)                   (2)
 ///   T ← T + a (k (ε + t·Σ c s / l₀) − T),  u ← u + a s                                             (3)
 /// The standard Newton matrix has k ε(u) instead of T. After a step in which a stiff bar turns by θ, k ε(u)
@@ -24,7 +25,7 @@ namespace netloft::tension {
 ///   and B. van Leer, J. Comput. Phys. 59 (1985) 232-246).
 class MixedNewton {
  public:
-  /// Largest μ. With it D is as stiff as all members; a larger μ would only shorten the steps.
+  /// Largest μ. With this μ, D is as stiff as all members; a larger μ would only shorten the steps.
   static constexpr double kMostDamping = 1;
 
   /// The options of all stages, which strategies.cpp explains.

@@ -9,8 +9,9 @@
 
 namespace netloft::tension::cone {
 
-/// Points x = (x₀, x̄) of R⁴; the cone K contains those with x₀ ≥ ‖x̄‖. Notation and formulas after L.
-/// Vandenberghe, "The CVXOPT linear and quadratic cone program solvers" (2010), sections 4 and 5.
+/// Points x = (x₀, x̄) of R⁴, where x̄ are the last three numbers. The cone K contains those with x₀ ≥ ‖x̄‖.
+/// Notation and formulas after L. Vandenberghe, "The CVXOPT linear and quadratic cone program solvers"
+/// (2010), sections 4 and 5.
 using Point = std::array<double, 4>;
 
 /// Returns J x = (x₀, −x̄), the mirror image of x.
@@ -18,7 +19,8 @@ inline Point mirrored(const Point& x) { return {x[0], -x[1], -x[2], -x[3]}; }
 
 inline double length(const Point& x) { return std::sqrt(x[1] * x[1] + x[2] * x[2] + x[3] * x[3]); }
 
-/// Returns x₀² − ‖x̄‖², positive inside K, by a product that keeps its digits near the boundary of K.
+/// Returns x₀² − ‖x̄‖², which is positive inside K, as a product that keeps its digits near the boundary of
+/// K.
 inline double determinant(const Point& x) { return (x[0] - length(x)) * (x[0] + length(x)); }
 
 /// a ∘ b = (a·b, a₀ b̄ + b₀ ā).

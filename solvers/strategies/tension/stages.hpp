@@ -4,8 +4,8 @@
 
 namespace netloft::tension {
 
-/// Brings a scene from a drawing to its equilibrium through softer scenes: first with a small factor on all
-/// stiffness, then with the stiffness of every part limited to a multiple of its tension, then unchanged.
+/// Brings a scene from a drawing to its equilibrium through softer scenes: first all stiffness has a small
+/// factor, then the stiffness of every part is limited to a multiple of its tension, then it is unchanged.
 /// Tensions are unknowns in all stages (mixed_newton.hpp). The limit of a part depends on its own tension,
 /// because a common limit would not soften parts with little tension.
 class Stages {

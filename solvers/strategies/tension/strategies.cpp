@@ -7,7 +7,7 @@ namespace netloft::tension {
 
 namespace {
 
-/// Solves the scene itself from u, and reports an equilibrium as an answer.
+/// Solves the scene itself from u. If this finds an equilibrium, reports it as an answer.
 void solve_from(Search& search, Displacements u) {
   const Stage stage = search.solve({.name = "as it is, from there"}, std::move(u));
   if (stage.is_stationary()) search.answer(stage.u);
@@ -59,8 +59,8 @@ std::string Only::explain(const Parameters&, Search& search) {
          ": no step has to guess which are slack\nthe analysis' solver from there: all forces are unchanged";
 }
 
-// Damping is a fraction of the linear stiffness. Values marked as fitted were chosen on four real gears, from
-// thousands of random sets of values and a grid: tests/validation/README.md, "How sure it is".
+// Damping is a fraction of the linear stiffness. Values described as fitted were chosen on four real gears,
+// from thousands of random sets of values and a grid: tests/validation/README.md, "How sure it is".
 void FromSoft::describe(StrategyTable<FromSoft>& t) {
   using P = Parameters;
   t.needs(NETLOFT_SEARCH_MEMBERS);
@@ -72,8 +72,8 @@ void FromSoft::describe(StrategyTable<FromSoft>& t) {
                        const char* doc, double least = 1e-16) {
     t.real(name, member, unit, doc, {.lo = least, .hi = 1e9, .fallback = fallback});
   };
-  // Least value of a factor that is applied repeatedly: with 1 the stages would never end, with 1.1 they
-  // reach the default of `last` from 1 in 104 steps.
+  // Least value of a factor that is applied repeatedly. With 1 the stages would never end; with 1.1 they rise
+  // from 1 to the default of `last` in 104 steps.
   constexpr double kLeastGrowth = 1.1;
   add("softest", &P::softest, "1", 7e-4, "factor on all stiffness in the first stage; fitted");
   add("ratio", &P::ratio, "1", 5,
