@@ -42,8 +42,8 @@ class Catalogue {
   /// The parts of one file.
   static Catalogue load_file(const std::filesystem::path& file, formats::Diagnostics& diagnostics);
 
-  /// Adds `by` to the file index of all places, after the files were appended to the files of other
-  /// diagnostics.
+  /// Adds `by` to the file index of all places. Needed after the catalogue's files were appended to those of
+  /// other diagnostics.
   void shift_files(int by);
 
   /// The part of this name; nullptr if no part of these kinds has the name.

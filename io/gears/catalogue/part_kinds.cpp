@@ -9,7 +9,7 @@ namespace {
 
 constexpr bool kRequired = true;
 
-/// The numbers of a line, which is a twine, a rope, a wire or a chain; `mass` is per metre.
+/// The numbers of a line (a twine, a rope, a wire or a chain). `mass` is per metre.
 std::vector<PartKey> line_numbers(const char* diameter, double thickest, double strongest) {
   return {
       {"diameter", "m", diameter, 1e-5, thickest, kRequired},

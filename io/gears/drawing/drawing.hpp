@@ -6,10 +6,10 @@
 
 namespace netloft::gears {
 
-/// Draws a plan as an SVG picture in the manner of ISO 3169. Panels are drawn to the scale of stretched
-/// length and half the stretched width, with mesh counts, cuttings, mesh size and twine. Edges that are hung
-/// on ropes are thick and labelled with the length of rope. A list of ropes, floats and seams, and a scale,
-/// follow below.
+/// Draws a plan as an SVG picture in the manner of ISO 3169. The scale of panels is stretched length along
+/// the gear and half the stretched width across; their labels are mesh counts, cuttings, mesh size and twine.
+/// Edges that are hung on ropes are thick and labelled with the length of rope. A list of ropes, floats and
+/// seams, and a scale, follow below.
 std::string draw_plan(const NetPlan& plan);
 
 /// Draws the same picture with the triangles of `mesh`, which belongs to the whole `gear` made from `plan`.

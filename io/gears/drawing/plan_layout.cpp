@@ -104,14 +104,15 @@ class Sheet {
     next_ += (1 + kGap) * (right - left);
   }
 
-  /// A panel that is to be placed, unless it has been, and the line about which its pair is mirrored.
+  /// A panel to be placed unless it is placed already, its position, and the x of its mirror image if it is a
+  /// pair.
   struct Next {
     const Panel* panel;
     double x, y, mirror_about;
   };
 
-  /// Places the panel and all panels that are sewn to its fore and aft edges and not placed yet. A list of
-  /// what is next, the last first, instead of calls within calls: a plan may have very many panels in a row.
+  /// Places the panel and all unplaced panels that are sewn, directly or through others, to its fore and aft
+  /// edges. A list, whose last entry is next, replaces recursion: a plan may have very many panels in a row.
   void place(const Panel& first, double x, double y) {
     std::vector<Next> next{{&first, x, y, mirror_about_}};
     while (!next.empty()) {
@@ -136,7 +137,7 @@ class Sheet {
     return own;
   }
 
-  /// The place of a panel whose edge meets the point `at` of a placed panel.
+  /// Returns the position of the panel of `edge` at which this edge meets the point `at` of a placed panel.
   static Next place_of(const EdgeSet& edge, PanelPoint at, const PlacedPanel& there) {
     const PanelPoint target = there.on_sheet(at), own = middle_of(edge);
     const double across = kHalfWidth * edge.panel->mesh, aft = length_of_mesh(*edge.panel);

@@ -7,8 +7,8 @@
 namespace netloft::gears {
 
 /// The position of the outline of a panel on the sheet. A plan is drawn to the scale of stretched length
-/// along the gear and half the stretched width across (ISO 3169), which is the width of netting at a hanging
-/// ratio of 0.5.
+/// along the gear and half the stretched width across (ISO 3169). Netting has this width at a hanging ratio
+/// of 0.5.
 struct PlacedPanel {
   const Panel* panel = nullptr;
   Outline outline;
@@ -19,9 +19,9 @@ struct PlacedPanel {
   PanelPoint on_sheet(PanelPoint p) const;
 };
 
-/// Places the panels of a plan. Panels that are sewn in a row follow one another in a column, and a pair is
-/// next to the part of the edge that it is sewn to; columns are side by side. Middle panels and pairs are
-/// placed twice, the second time mirrored.
+/// Places the panels of a plan on the sheet. Panels that are sewn in a row follow one another in a column;
+/// columns are side by side. A pair of panels is beside the part of the edge to which it is sewn. Middle
+/// panels and pairs are placed twice, the second time mirrored.
 std::vector<PlacedPanel> lay_out(const NetPlan& plan);
 
 }  // namespace netloft::gears

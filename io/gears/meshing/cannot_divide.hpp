@@ -9,8 +9,9 @@
 
 namespace netloft::gears {
 
-/// A seam or a panel that cannot be divided into elements: a sentence for the user, and its cure. It refers
-/// to the plan by index and name, because the plan that is divided has no places (division.hpp).
+/// Thrown for a seam or a panel that cannot be divided into elements: a sentence for the user, and its cure.
+/// Seam and panel are given by index and name, because a plan that is divided has no places in files
+/// (division.hpp).
 class CannotDivide : public std::invalid_argument {
  public:
   static CannotDivide seam(std::size_t join, const std::string& what, std::string cure) {

@@ -6,7 +6,8 @@
 
 namespace netloft::gears {
 
-/// One side of a cloth: an edge of an outline, or half of an edge that crosses the middle.
+/// One side of a cloth (a piece of netting, see Cloth): an edge of an outline, or half of an edge that
+/// crosses the middle.
 struct ClothSide {
   std::size_t cloth = 0;
   EdgeRef edge;              // edge of the outline; unused if `is_inside`
@@ -34,9 +35,9 @@ struct Cloth {
   std::map<std::string, std::size_t> corners;  // "fore-outer" -> the side that starts there
 };
 
-/// The position [m] of a point in half-open netting, whose bars are at 30 degrees to the aft direction: x = U
-/// m sin 30°, y = V m cos 30°, with U, V meshes across and deep, m mesh size. The meshes of square netting
-/// and of turned netting are opened to squares.
+/// Returns the position [m] of a point of a panel in half-open netting, whose bars are at 30 degrees to the
+/// aft direction: x = U m sin 30°, y = V m cos 30°, with U, V the meshes across and deep, m [m] the mesh
+/// size. The meshes of square netting and of turned netting are opened to squares.
 PanelPoint spread(const Panel& panel, PanelPoint point);
 
 struct Cloths {

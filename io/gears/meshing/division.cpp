@@ -86,7 +86,7 @@ void require_sewable(const NetPlan& plan) {
   } catch (const CannotDivide&) {
     throw;
   } catch (const std::invalid_argument&) {
-    return;  // too many elements, of which the division tells more
+    return;  // there are too many elements, which the division itself will report
   }
 }
 

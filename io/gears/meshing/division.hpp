@@ -8,8 +8,8 @@ namespace netloft::gears {
 /// positions, tensions, the ship, and places in files.
 NetPlan geometry_of(const NetPlan& plan);
 
-/// Checks whether the seams can be sewn all at once: none joins points of one edge to each other, and none
-/// twists the net. The plan must be free of errors.
+/// Checks whether all seams together can be sewn: no seam may join points of one edge to each other, or twist
+/// the net. The plan must be free of errors.
 void check_seams(const NetPlan& plan, formats::Diagnostics& diagnostics);
 
 /// The data on which the division of a gear into elements depends.

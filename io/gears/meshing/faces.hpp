@@ -8,14 +8,15 @@
 namespace netloft::gears {
 
 /// Pieces of netting that are known to show the same face outwards, or opposite faces (disjoint sets with
-/// parity). A net in which this is contradictory is twisted and has no outside.
+/// parity). If these statements contradict each other, the net is twisted and has no outside.
 class Faces {
  public:
   explicit Faces(std::size_t pieces) : parent_(pieces), is_turned_(pieces, false) {
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
 
-  /// A piece that stands for all that are connected with this one, and whether the two show opposite faces.
+  /// Returns the representative of all pieces connected with this one, and whether the two show opposite
+  /// faces.
   std::pair<std::size_t, bool> root(std::size_t piece) const {
     bool is_turned = false;
     for (; parent_[piece] != piece; piece = parent_[piece]) is_turned = is_turned != is_turned_[piece];

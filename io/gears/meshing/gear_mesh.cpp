@@ -26,7 +26,8 @@ constexpr double kNear = 0.05;   // accepted relative deviation from the request
 constexpr int kTrials = 8;       // number of sizes that are tried to reach the requested number
 constexpr double kGrid = 1e-10;  // relative rounding of positions, by which port mirrors starboard exactly
 
-constexpr double kSamePlace = 1e-6;  // distance of places on a middle line that are one [meshes]
+// Places on a middle line that are nearer than this count as one [meshes].
+constexpr double kSamePlace = 1e-6;
 
 constexpr int kPartings = 20;  // most rounds in which coincident sides are separated
 
@@ -91,11 +92,11 @@ class Divider {
     return fractions;
   }
 
-  /// Finds, for each cloth, whether triangles that are counter-clockwise in the cloth are also
-  /// counter-clockwise seen from outside the net. The first panel is assumed to be the upper one; on its
-  /// starboard side, seen from above, the turn from outwards to aft is clockwise.
+  /// Finds for each cloth whether its counter-clockwise triangles are also counter-clockwise seen from
+  /// outside the net. The first panel is assumed to be the upper one; on its starboard side, seen from above,
+  /// the turn from outwards to aft is clockwise.
   void find_senses() {
-    std::map<std::size_t, int> senses;  // of the pieces that stand for all that are connected with them
+    std::map<std::size_t, int> senses;  // by the representative of connected pieces (faces.hpp)
     for (std::size_t c = 0; c < cloths_.cloths.size(); ++c) {
       const auto [root, is_turned] = lines_.faces.root(c);
       const int turn = is_turned ? -1 : 1;
@@ -184,8 +185,9 @@ class Divider {
   }
 
   /// Separates triangle sides that are not sewn together but coincide, because they connect the same two
-  /// nodes of the gear, and sides whose ends are one node. This happens near sharp corners and where seams
-  /// end in a point. Each such side gets its own node in its middle. Returns whether there were such sides.
+  /// nodes of the gear, and sides both ends of which are the same node. Such sides occur near sharp corners
+  /// and where seams end in a point. Each of them gets its own node in its middle. Returns whether there were
+  /// such sides.
   bool part_doubled_sides() {
     std::map<std::pair<Tag, Tag>, int> times;
     for (const auto& nodes : line_nodes_)
@@ -370,8 +372,8 @@ class Divider {
   std::vector<std::vector<std::uint32_t>> line_nodes_;
   std::vector<Border> borders_;    // border of each cloth
   std::vector<PlaneMesh> planes_;  // triangles of each cloth
-  // For each panel: the numbers that the nodes in its middle have within the panel, by their number in the
-  // gear. Seams and ropes may bring several places of the middle to one node of the gear.
+  // For each panel, the nodes on its middle: their numbers within the panel, by their number in the gear. One
+  // node of the gear may have several, because seams and ropes may join places of the middle.
   std::map<std::size_t, std::map<std::uint32_t, std::vector<std::uint32_t>>> in_middle_;
   std::vector<int> senses_;  // orientation of each cloth
   GearMesh mesh_;

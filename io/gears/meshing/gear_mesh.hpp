@@ -61,10 +61,10 @@ struct GearMesh {
 /// paper), and ropes into bars.
 ///
 /// If every knot is a node, the triangles in half-open netting (bars at 30 degrees to the aft direction) are
-/// equilateral. Each has one bar of each twine direction as a side, and every bar is a side of two triangles.
-/// Priour's triangle has the energy of half a bar of each direction, so the triangles together have exactly
-/// the energy of the bars. Only along borders, which are straight instead of stepped, triangles have other
-/// shapes.
+/// equilateral. Two sides of each triangle are bars, one of each twine direction, and every bar is a side of
+/// two triangles. Priour's triangle has the energy of half a bar of each direction, so the triangles together
+/// have exactly the energy of the bars. Triangles have other shapes only along borders, which are straight
+/// instead of stepped.
 ///
 /// Throws std::invalid_argument, with a sentence for the user, for a panel whose border crosses itself, and
 /// for a size that would give millions of nodes.

@@ -9,8 +9,9 @@ inline constexpr double kMostNodes = 5e6;  // largest number of nodes of a gear
 /// The factor by which the triangle sides of a panel are shorter than elsewhere.
 double finer(const Fineness& fineness, const GearPanel& panel);
 
-/// The element size h that gives about N nodes. A is the area of the half-open netting, in equilateral
-/// triangles; 1.2 is an empirical factor for nodes that the mesher adds; L is the length of the ropes:
+/// The element size h [m] that gives about N nodes. A [m²] is the area of the half-open netting, divided into
+/// equilateral triangles; L [m] is the length of the ropes; 1.2 is an empirical factor for nodes that the
+/// mesher adds:
 ///   N = 1.2 · 2 A/(√3 h²) + L/h                                                                        (1)
 /// (1) gives a first guess, because lines that are divided more finely than h add nodes.
 double size_for(const Gear& gear, const Fineness& fineness);

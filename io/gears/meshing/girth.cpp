@@ -33,8 +33,8 @@ bool are_mirror_images(const Gear& gear, const EdgeRef& one, const EdgeRef& othe
   return a.panel == b.panel && a.is_mirrored != b.is_mirrored && kind_of(gear, one) == kind_of(gear, other);
 }
 
-/// Whether, across the seam, the outward direction of panel `one` is the inward direction of panel `other`. A
-/// panel and its mirror image both count outwards from the middle.
+/// Whether the outward direction of panel `one` is, across the seam, the inward direction of panel `other`.
+/// In a panel and its mirror image, outwards means away from the middle.
 bool turns(const Gear& gear, const Seam& seam, const EdgeRef& one, const EdgeRef& other) {
   if (are_mirror_images(gear, one, other)) return false;
   const auto comes_back = [&](const EdgeRef& ref) {
@@ -44,8 +44,8 @@ bool turns(const Gear& gear, const Seam& seam, const EdgeRef& one, const EdgeRef
   return (a == b && is_lateral(a)) != (comes_back(one) != comes_back(other));
 }
 
-/// Number of meshes outwards, from the middle in a panel across the middle, from the start of the inner side
-/// in other panels.
+/// Number of meshes outwards: from the middle in a panel across the middle, otherwise from the start of the
+/// inner side.
 double outwards(const GearPanel& panel, double U) {
   return panel.panel->stands == Standing::middle ? std::abs(U) : U;
 }
@@ -179,15 +179,16 @@ void Girth::find_folds(const Gear& gear) {
         folds_[p].push_back({p, e});
 }
 
-/// Whether a fold lies below. If the distance from the top increases outwards, the outer side does, else the
-/// inner side.
+/// Whether a fold (a side edge sewn to its mirror image) lies below. It does if it is the end of its panel
+/// that is farther from the top: the outer side if the distance from the top increases outwards, otherwise
+/// the inner side.
 bool Girth::is_below(const Gear& gear, const EdgeRef& fold) const {
   return (kind_of(gear, fold) == EdgeKind::outer) == (sense_[fold.panel] > 0);
 }
 
-/// Fills `bottom_` with the distances aft at which the half girth S is known, and with S. It is known at
-/// nodes of a lower middle panel and at nodes on folds below. A net without such nodes is open below; S is
-/// then twice the largest distance from the top, everywhere.
+/// Fills `bottom_` with pairs of a distance aft and the half girth S there. S is known at nodes of a lower
+/// middle panel and at nodes on folds below. A net without such nodes is open below: everywhere, S is then
+/// twice the largest distance from the top.
 void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
   double most = 0;
   own_.assign(mesh.nodes, 0);

@@ -22,7 +22,7 @@ class Girth {
   /// Whether the node belongs to an end of the bag that is sewn to itself.
   bool is_closed(std::uint32_t node) const { return closed_[node]; }
   /// Half the girth at a node [m]: the distance along the girth through this node, from the top to the middle
-  /// of the lower panel. Where it is not known, it is interpolated between other distances aft.
+  /// of the lower panel. If it is not known there, it is interpolated between other distances aft.
   double half_girth(std::uint32_t node) const;
 
  private:

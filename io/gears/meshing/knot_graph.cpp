@@ -29,7 +29,7 @@ namespace {
 using Index = Eigen::Index;
 
 /// The matrix of the least-squares problem for a field with desired differences (gains) between nodes.
-/// Weights pull the field towards zero and towards given values.
+/// Weights pull the field towards given values at `fixed` nodes and, weakly, towards zero.
 Eigen::SparseMatrix<double> matrix_of(std::size_t nodes, const std::vector<Gain>& gains,
                                       const std::vector<std::uint32_t>& fixed) {
   const auto n = static_cast<Index>(nodes);

@@ -133,9 +133,9 @@ class Rigger {
     }
   }
 
-  /// 1 if an edge runs in its usual direction along a rope, else 0. Along a rope across the middle, edges
-  /// usually run forward on the starboard side and aft on the port side; along other ropes, they run outwards
-  /// or aft.
+  /// Returns 1 if an edge runs in its usual direction along a rope, otherwise 0. Along a rope across the
+  /// middle, edges usually run forward on the starboard side and aft on the port side; along other ropes,
+  /// they run outwards or aft.
   double likelihood(const GearRope& rope, const Row& row) const {
     const ClothSide& side = borders_.cloths.sides[row[0].side];
     const bool is_port = borders_.cloths.cloths[side.cloth].is_port;

@@ -18,7 +18,7 @@ namespace netloft::gears {
 
 namespace {
 
-// Corners of both sides of a seam that are closer than this fraction of an element are merged.
+// Corners on opposite sides of a seam are merged if they are closer than this fraction of an element.
 constexpr double kSnap = 0.3;
 constexpr double kGrowth = 0.4;  // growth of the element size per length along a line
 
@@ -204,9 +204,9 @@ class LineMaker {
     all_.rope_middles.push_back(middle == all_.points.end() ? kNoPoint : middle->second);
   }
 
-  /// The coarsest size of the bars of a rope [m]; 0 for ropes other than warps. The direction of a warp
-  /// changes by some tenths of a radian along its length; 32 bars give the tension of the warp to a
-  /// thousandth, whatever the size of elements in the netting.
+  /// The coarsest size of the bars of a rope [m]; 0 for ropes other than warps. A warp changes its direction
+  /// by some tenths of a radian along its length; 32 bars give its tension to a thousandth, whatever the size
+  /// of elements in the netting.
   static double coarsest(const GearRope& rope) {
     constexpr double kBarsOfWarps = 32;
     return rope.rope->role == kWarp ? rope.length / kBarsOfWarps : 0;
@@ -262,7 +262,8 @@ class LineMaker {
     return "the middle of a panel";
   }
 
-  /// Divides a line of length L into n elements; g is kGrowth, and h₀, h₁ are sizes at its ends:
+  /// Divides a line of length L into n elements, whose size is h(x) at the distance x from its start. g is
+  /// kGrowth; h₀ and h₁ are the sizes at both ends:
   ///   h(x) = min(size, h₀ + g x, h₁ + g (L − x)),   n = ∫ dx/h                                     (1)
   /// Each element covers the same part of the integral.
   void divide_line(Line& line, double h0, double h1) {

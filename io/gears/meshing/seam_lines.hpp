@@ -39,9 +39,9 @@ struct RopeRun : Run {
 
 /// All lines of a gear. Points are indices; identical points have the same index.
 ///
-/// Along a seam, points of both sides correspond if they divide the meshes in the same proportion; sides of
-/// panels with different mesh sizes are divided by the length of twines instead. A corner on one side becomes
-/// a point on both sides; corners of both sides that nearly coincide are merged.
+/// Along a seam, points of both sides correspond if they divide the meshes in the same proportion; if the
+/// panels have different mesh sizes, their sides are divided by the length of twines instead. A corner on one
+/// side becomes a point on both sides; corners on opposite sides that nearly coincide are merged.
 struct SeamLines {
   std::vector<Line> lines;
   std::vector<std::vector<SideRun>> sides;  // runs by index in Cloths::sides

@@ -13,13 +13,14 @@ namespace netloft::gears {
 
 namespace {
 
-/// A point on the sides of elements that form one side of a seam, at a fraction of their total extent.
+/// A point on a row (one side of a seam), at a fraction of the total extent of the row.
 struct Knot {
   double fraction = 0;
   std::size_t point = 0;
 };
 
-// Sides of which less than this fraction lies beside each other are not taken for neighbours.
+// Sides count as neighbours along a seam only if at least this fraction of the shorter one lies beside the
+// other.
 constexpr double kBeside = 0.1;
 
 /// The way in which the rows of a seam run.
@@ -77,7 +78,8 @@ class Sewer {
     }
   }
 
-  /// Adds all seams. First those that can run in one way only are known, so that the others follow them.
+  /// Adds all seams. Those that can run in only one way come first; the others then run so that the faces
+  /// agree.
   void add_seams() {
     Faces faces(cloths_.cloths.size());
     for (const auto& halves : borders_.seams) state_faces(halves.rows, faces);
@@ -195,7 +197,7 @@ class Sewer {
   }
 
   /// In a row round the net, reverses the edges of every side panel whose outer side is sewn to the panel
-  /// before it; these edges then run inwards. Begins at the first panel across the middle and goes in both
+  /// before it, so that these edges run inwards. Begins at the first panel across the middle and goes in both
   /// directions.
   void turn_side_panels(Row& row) const {
     const auto first = std::find_if(row.begin(), row.end(),
@@ -243,7 +245,8 @@ class Sewer {
     }
   }
 
-  /// The place of a side in a row, which may begin to port.
+  /// The sorting key of a side in a row: port sides come first if the row runs to starboard, then the
+  /// position decides.
   std::pair<bool, double> position(const DirectedSide& s, Way way) const {
     const ClothSide& c = side(s);
     const double along = c.is_across() ? c.from.x + c.to.x : (way.sides_aft ? 1 : -1) * (c.from.y + c.to.y);

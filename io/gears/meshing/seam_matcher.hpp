@@ -42,9 +42,9 @@ struct Borders {
 
 /// Finds the common points of all seams; corners closer than `snap` [m] along a seam are merged.
 ///
-/// Rows run outwards along fore and aft edges, and aft along sides. Where sides are sewn to a fore or aft
-/// edge, they run forward instead if the net would otherwise be twisted (faces.hpp). A row from port to
-/// starboard runs the other way on its port half, which mirrors the starboard half.
+/// Rows, the two sides of a seam, run outwards along fore and aft edges, and aft along sides. If sides are
+/// sewn to a fore or aft edge and the net would be twisted (faces.hpp), they run forward instead. A row from
+/// port to starboard runs the other way on its port half, which mirrors the starboard half.
 Borders sew(const Gear& gear, const Cloths& cloths, double snap);
 
 /// The name of the first edge of a row.

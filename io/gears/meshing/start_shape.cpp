@@ -21,8 +21,8 @@ std::size_t at(std::uint32_t node, int axis) {
   return 3 * std::size_t{node} + static_cast<std::size_t>(axis);
 }
 
-/// w of (3): half the width of an ellipse with the perimeter 2 S (Ramanujan 1914; perimeter to 1e-3 or
-/// better).
+/// The half width w of (3) in start_shape.hpp, of an ellipse with the perimeter 2 S (Ramanujan 1914;
+/// perimeter to 1e-3 or better).
 double half_width(double half_girth) {
   const double q = (1 - kAspect) / (1 + kAspect), lambda = q * q;
   const double shape = (1 + kAspect) * (1 + 3 * lambda / (10 + std::sqrt(4 - 3 * lambda)));
@@ -45,8 +45,8 @@ void collect_sketch(const GearPanel& panel, const PanelMesh& mesh, std::vector<K
   }
 }
 
-/// All known coordinates, each once, in the order of their priority: those of the caller, points of the plan,
-/// the plane of symmetry, and sketches.
+/// All known coordinates, each once. If several are given for one node and axis, the priority is: those of
+/// the caller, points of the plan, the plane of symmetry, sketches.
 std::vector<KnownCoordinate> collect_known(const Gear& gear, const GearMesh& mesh,
                                            std::vector<KnownCoordinate> known) {
   for (const auto& point : gear.points)
@@ -110,8 +110,8 @@ class Shaper {
   }
 
   /// Shifts the whole netting aft and vertically, to the known coordinates of its nodes. If its nodes have
-  /// none, ropes from known points then reach the netting, and its lowest point is as deep as the lowest
-  /// known point.
+  /// none, the shift makes ropes from known points reach the netting, and its lowest point as deep as the
+  /// lowest known point.
   void stand_as_a_whole() {
     const double aft = shift_along(0, true);
     for (std::uint32_t node = 0; node < mesh_.nodes; ++node)

@@ -20,9 +20,9 @@ struct KnownCoordinate {
   }
 };
 
-/// Makes initial positions of the nodes of a divided gear, 3 per node [m]: x aft, y to starboard, z up. They
-/// need not be accurate, but must be free of kinks and folds, on the correct side, and about as large as the
-/// gear.
+/// Makes initial positions of the nodes of a divided gear, 3 per node [m]: x aft, y to starboard, z up. The
+/// shape need not be accurate, but must be free of kinks and folds, on the correct side, and about as large
+/// as the gear.
 ///
 /// Two fields on the nodes of the netting are fitted by least squares over the sides of all triangles,
 /// because panels that are sewn together need not fit:
@@ -35,10 +35,10 @@ struct KnownCoordinate {
 /// (3) puts the netting on rings of half width w and height h, k = 0.4: half an ellipse with the arc length S
 /// on each side. At an end that is closed by a seam, z = 0.
 ///
-/// The netting is then shifted to known coordinates of its nodes. If its nodes have none, it is shifted so
-/// that ropes to known points become straight and its lowest point is as deep as the lowest known point.
-/// Known coordinates, including sketches of panels, then get their values; other nodes follow by
-/// displacements that are harmonic on the net. Ropes beside the netting are straight.
+/// The netting is then shifted to known coordinates of its nodes. If its nodes have none, the shift makes
+/// ropes to known points straight and its lowest point as deep as the lowest known point. Known coordinates,
+/// including sketches of panels, then get their values; other nodes follow by displacements that are harmonic
+/// on the net. Ropes beside the netting are straight.
 ///
 /// The fields, their factorised matrix and the last few shapes are stored for reuse.
 class StartShapes {

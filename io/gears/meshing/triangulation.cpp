@@ -28,7 +28,7 @@ using Triangulation =
 using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Triangulation>;
 using Mesher = CGAL::Delaunay_mesher_no_edge_refinement_2<Triangulation, Criteria>;
 
-// sin² of the least angle after refinement, 20.7°; for this bound the mesher is proven to terminate.
+// sin² of the least angle after refinement (20.7°). With this bound, the mesher is proven to terminate.
 constexpr double kShape = 0.125;
 constexpr double kLongest = 1.35;  // longest side of a triangle, relative to the requested mean
 constexpr int kRounds = 5;         // rounds of smoothing
@@ -181,8 +181,8 @@ class Filler {
     return twice_area(mesh_.points[a], mesh_.points[b], mesh_.points[c]) / 2;
   }
 
-  /// If two sides of a triangle lie on the border, divides the corner between these sides, so that part of it
-  /// belongs to a neighbour of the triangle.
+  /// If two sides of a triangle lie on the border, divides the corner between them, so that a neighbouring
+  /// triangle gets a part of it.
   void open_corners() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
       for (int k = 0; k < 3; ++k) {

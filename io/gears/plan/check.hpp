@@ -22,7 +22,7 @@ struct CheckLimits {
 
 /// Checks whether the net can be sewn: the cuttings agree with the counts, sewn edges fit each other, ropes
 /// are long enough, everything is connected. Errors go to the diagnostics, each with its place and the likely
-/// cure. If a cutting is not a valid rate, the rate that the plan probably means replaces it for the
+/// cure. If the text of a cutting is not a valid rate, the rate that it probably means replaces it for the
 /// remaining checks.
 void check_plan(NetPlan& plan, formats::Diagnostics& diagnostics, const CheckLimits& limits = {});
 

@@ -33,8 +33,8 @@ Panel with_rate(Panel panel, bool is_outer, std::size_t which, const std::string
   return panel;
 }
 
-/// Among the rates that differ from the written text in one letter, returns the one whose aft edge agrees
-/// best with the count in the plan; an empty text if there is no such rate.
+/// Returns, among the rates that differ from the written text in one letter, the one with which the aft edge
+/// agrees best with the count in the plan; an empty text if there is no such rate.
 std::string propose_rate(const Panel& panel, bool is_outer, std::size_t which) {
   const Cut& cut = (is_outer ? panel.outer : panel.inner)[which];
   std::string best;

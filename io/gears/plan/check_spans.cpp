@@ -17,8 +17,8 @@ namespace netloft::gears {
 
 namespace {
 
-/// A graph of points and of the start, middle and end of ropes, with halves of ropes as connections, for
-/// shortest paths. Vertices have numbers.
+/// A graph for shortest paths along ropes. Its vertices, which have numbers, are points and the start, middle
+/// and end of ropes; halves of ropes connect them.
 class RopeWays {
  public:
   explicit RopeWays(const Gear& gear) {

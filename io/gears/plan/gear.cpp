@@ -202,8 +202,8 @@ class GearMaker {
     }
   }
 
-  /// Sets the points to which a rope is tied. The plan names points for the middle and for the end of a rope
-  /// across the middle; in a whole gear, this end exists on both sides.
+  /// Sets the points to which a rope is tied. For a rope across the middle, the plan names the point of its
+  /// middle and that of its end; in a whole gear, the latter exists on both sides.
   void tie(GearRope& one, Side side) const {
     const auto& [start, end] = one.rope->between;
     if (is_whole() && one.rope->stands == Standing::middle) {

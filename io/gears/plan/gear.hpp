@@ -42,9 +42,9 @@ struct EdgeRef {
   bool operator==(const EdgeRef&) const = default;
 };
 
-/// Edges that are sewn together, with one or more edges on each side. Both sides become one line of knots,
-/// whatever their division. Edges keep the direction of their outlines, so edges that are sewn together may
-/// run in opposite directions.
+/// Edges that are sewn together, one or more on each side of the seam. Both sides become one line of knots,
+/// whatever their division. Edges keep the direction of their outlines, so that opposite edges may run in
+/// opposite directions.
 struct Seam {
   std::array<std::vector<EdgeRef>, 2> edges;
   double take_up = 0;  // meshes of the second side per mesh of the first; 0: mesh to mesh
@@ -73,7 +73,7 @@ struct GearRope {
 };
 
 /// Floats, weights or pieces of ground gear in one place: along a rope, along edges, or at a point. Only one
-/// of the three is set.
+/// of `rope`, `edges` and `point` is set.
 struct GearPieces {
   std::string name;
   const Pieces* pieces = nullptr;

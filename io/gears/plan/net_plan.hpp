@@ -33,7 +33,7 @@ struct MeshCount {
   bool operator==(const MeshCount&) const = default;
 };
 
-/// A stretch of one side of a panel, cut at one rate. A side has its cuts in the order from fore to aft.
+/// A stretch of one side of a panel that is cut at one rate. The cuts of a side are listed from fore to aft.
 struct Cut {
   std::string name;
   std::string written;  // rate and direction as written, such as "5B1P in"

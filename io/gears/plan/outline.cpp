@@ -87,8 +87,8 @@ double take(double wanted, MeshCount* count) {
 MeshCount* first(std::vector<MeshCount>& counts) { return counts.empty() ? nullptr : &counts.front(); }
 MeshCount* last(std::vector<MeshCount>& counts) { return counts.empty() ? nullptr : &counts.back(); }
 
-/// Moves the corners of a side inwards by the meshes that seams gather; its first and last corner move by no
-/// more than the meshes of the fore and the aft edge.
+/// Moves the corners of a side inwards by the meshes that seams gather. The first and the last corner move at
+/// most by the meshes of the fore and of the aft edge.
 void gather(std::vector<PanelPoint>& corners, const std::vector<Cut>& side, double inwards, MeshCount* fore,
             MeshCount* aft) {
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -99,8 +99,8 @@ void gather(std::vector<PanelPoint>& corners, const std::vector<Cut>& side, doub
   }
 }
 
-/// The corners of a side that starts at x0 and moves by `sign` times the meshes of its cuts. `shift` is added
-/// in proportion to the depth; depths are scaled to the depth of the panel.
+/// The corners of a side that starts at x0. Each cut moves it by `sign` times the meshes of the cut. `shift`
+/// is added in proportion to the depth; depths are scaled to the depth of the panel.
 std::vector<PanelPoint> side_corners(const std::vector<Cut>& side, double x0, double sign, double depth,
                                      double shift) {
   const double scale = depth_of(side) > 0 ? depth / depth_of(side) : 1;

@@ -53,8 +53,8 @@ void check_side(const Point& point, formats::TableReader& table) {
                 "stands = \"pair\", if there is one to port and one to starboard");
 }
 
-/// Reads a role such as `role = "headline"`. Without the key, a rope whose name is a role has this role, but
-/// a headline or footrope only if it runs across the middle.
+/// Reads a role such as `role = "headline"`. Without the key, the name of a rope is its role if it is one of
+/// the roles; a headline or footrope must then also run across the middle.
 void read_role(Rope& rope, formats::TableReader& table) {
   const auto& words = rope_roles();
   const bool says = table.has("role");

@@ -38,8 +38,8 @@ SideEnds side_ends(const Outline& outline) {
   return ends;
 }
 
-/// The position of the point x at the fraction t of the depth, as a fraction across the panel: 0 on the inner
-/// side, 1 on the outer side. Both sides are taken as straight; where they meet, the result is 0.
+/// Converts a point at x meshes across, at the fraction t of the depth, to a fraction across the panel: 0 on
+/// the inner side, 1 on the outer side. Both sides are taken as straight; where they meet, the result is 0.
 double fraction_across(const SideEnds& ends, double x, double t) {
   const double inner = between(ends.fore_inner, ends.aft_inner, t),
                outer = between(ends.fore_outer, ends.aft_outer, t);

@@ -6,8 +6,8 @@
 
 namespace netloft::gears {
 
-/// Coordinates along the twines of a point of an undeformed panel, in bars (Priour 2013: u and v are the two
-/// twine directions, and knots have whole numbers of both). U meshes across, outwards; V meshes deep, aft:
+/// Coordinates u, v along both twine directions of a point of an undeformed panel [bars]; knots have whole
+/// numbers of both (Priour 2013). U are the meshes across, outwards; V the meshes deep, aft:
 ///   diamond  u = U + V,  v = V − U;   T90  u = V + U,  v = U − V;   square  u = U,  v = V        (1)
 /// A mesh of diamond or T90 netting is as wide as deep, √2 bars, when it is opened to a square. Square
 /// netting is counted in bars. If the netting is turned in its panel by φ, from outwards towards aft, with
