@@ -20,8 +20,8 @@ namespace {
   throw WriteError(path.string() + " cannot be written: " + std::generic_category().message(error));
 }
 
-/// Opens the empty file PATH.new for one writer at a time: a second writer waits until the first one has
-/// renamed its file. A killed writer leaves its file, but not its lock.
+/// Opens the empty file PATH.new for one writer at a time: another writer waits until the first one has
+/// renamed its file. A writer that is killed leaves its file, but not its lock.
 int open_beside(const fs::path& path, const fs::path& beside) {
   for (;;) {
     struct stat named {

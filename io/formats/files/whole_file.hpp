@@ -16,17 +16,17 @@ class WriteError : public std::runtime_error {
 };
 
 /// Writes `content` to the file `path`, or throws WriteError and leaves the old file unchanged. The content
-/// is first written to PATH.new, which is synced and then renamed. If several programs write the same file at
-/// once, they take turns. A link to a file is replaced, not followed; a folder, a device, and a link to a
-/// folder or device are refused.
+/// is first written to PATH.new; this file is synced and then renamed. Programs that write the same file at
+/// once take turns. A link to a file is replaced, not followed; a folder, a device, and a link to either are
+/// refused.
 void write_whole(const std::filesystem::path& path, std::string_view content);
 
 /// Like write_whole(), for a path that a user names. The replaced file may be any file, so it is kept as
 /// PATH~ unless it has the same content.
 void write_keeping(const std::filesystem::path& path, std::string_view content);
 
-/// Keeps the file `path`, if there is one, as its backup PATH~, which replaces an earlier backup. The file
-/// has at least one name at every moment. Throws WriteError.
+/// Keeps the file `path`, if it exists, as its backup PATH~, which replaces an earlier backup. At every
+/// moment, the file has at least one of these names. Throws WriteError.
 void keep_as_backup(const std::filesystem::path& path);
 
 /// A file that cannot be read; what() is a sentence for the user.

@@ -31,8 +31,8 @@ void write_columns(Tree& tree, const std::vector<SeriesColumn>& columns, const R
     tree.write_reals(kRoot + "/series/" + columns[k].name, rows.column(k), columns[k].unit, columns[k].doc);
 }
 
-/// The cells in the notation of XDMF for cells of several kinds. Each cell has its type, the number of its
-/// nodes unless the type implies it, and its nodes.
+/// The cells in XDMF's notation for cells of several kinds: for each cell its type, the number of its nodes
+/// unless the type implies this number, and its nodes.
 std::vector<std::int64_t> mixed_cells(const Mesh& mesh) {
   constexpr std::int64_t kPolyvertex = 1, kPolyline = 2, kXdmfTriangle = 4;
   std::vector<std::int64_t> mixed;
@@ -87,8 +87,8 @@ Handle make_nameless() {
   return Handle(file, H5Fclose);
 }
 
-/// Runs `action` on records of a journal. Records with valid checksums may still be inconsistent; if HDF5 or
-/// VTK refuses the data, throws a FileError about the journal.
+/// Runs `action` on records of a journal. Records with valid checksums may still be inconsistent. If HDF5 or
+/// VTK refuses their data, throws a FileError about the journal.
 template <class Action>
 decltype(auto) with_misfits_of(const std::string& context, Action&& action) {
   return with_context(context, [&]() -> decltype(auto) {

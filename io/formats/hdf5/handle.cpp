@@ -6,9 +6,9 @@
 namespace netloft::formats {
 namespace {
 
-// After a full disk H5Fclose() fails and leaves an id behind, on which the clean-up at exit crashes (HDF5
-// 1.10.8). All ids of this program are closed by their handles, so the clean-up has nothing else to do. The
-// clean-up can be switched off only before the first call of HDF5.
+// After a full disk H5Fclose() fails and leaves an id behind; the clean-up of HDF5 at exit then crashes (HDF5
+// 1.10.8). The handles of this program close all ids, so that the clean-up has nothing to do and is switched
+// off. This is possible only before the first call of HDF5.
 [[maybe_unused]] const bool kNoCleanUp = H5dont_atexit() >= 0;
 
 struct Ends {

@@ -15,7 +15,7 @@ namespace {
 
 enum class Lock { kTaken, kWriterAlive, kReadersOnly };
 
-/// Tries to lock a file. Without locks in the file system, the file counts as free, because refusing to write
+/// Tries to lock a file. If the file system has no locks, the file counts as free, because refusing to write
 /// would not help the user.
 Lock try_lock(int fd) {
   if (flock(fd, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return Lock::kTaken;

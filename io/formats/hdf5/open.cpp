@@ -15,8 +15,8 @@ constexpr std::size_t kDeepestGroup = 16;  // results nest groups five deep, mes
 
 const std::string kCure = "only data in the file itself are read, so ask for a file that holds all its data";
 
-// The name of a file in memory. HDF5 refuses this name if it can open a file that has it, so no such file may
-// exist.
+// The name given to files in memory. HDF5 refuses this name if it can open a file of this name, so that no
+// such file may exist.
 constexpr const char* kNoFile = "/dev/null/image";
 
 [[noreturn]] void refuse_elsewhere(const std::string& object, const std::string& why) {
@@ -46,8 +46,8 @@ std::string kind_of(H5L_type_t link) {
   return link == H5L_TYPE_SOFT ? "a soft link" : "a link of an unknown kind";
 }
 
-/// Visits every object of a file once. H5Ovisit() has no limit of depth, and follows the whole path of every
-/// object.
+/// Visits every object of a file once. H5Ovisit() does not serve: it has no limit of depth, and follows the
+/// whole path of every object.
 class ObjectVisit {
  public:
   explicit ObjectVisit(hid_t file) { visit(Handle(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose), "", 0); }

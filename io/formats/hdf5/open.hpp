@@ -19,9 +19,9 @@ Handle open_for_reading(const std::filesystem::path& path);
 /// Opens the bytes of a file in memory in the same way. HDF5 copies the bytes.
 Handle open_image(const std::string& image);
 
-/// Throws FileError, which names the object, if an open file has data or links elsewhere, a name with control
-/// characters, one group in two places, or groups nested more deeply than in any result. All files that are
-/// read pass this check, so that readers may walk through groups without a limit.
+/// Throws FileError, which names the object, if an open file has one of these faults: data or links
+/// elsewhere, a name with control characters, one group in two places, groups nested more deeply than in any
+/// result. All files that are read pass this check, so that readers may walk through groups without a limit.
 void require_own_data(hid_t file);
 
 /// Whether a file begins as HDF5 files do. False if it cannot be read.

@@ -157,8 +157,8 @@ void SeriesJournal::note_output(const Journal::Record& record, std::string_view 
   resumable_ = outputs_.size();
 }
 
-/// Appends a record. Before the first record of a continued run, appends the record that invalidates the
-/// outputs after its checkpoint.
+/// Appends a record. When a run is continued, a record that invalidates the outputs after its checkpoint
+/// comes first.
 void SeriesJournal::append(std::uint32_t kind, const ByteWriter& content) {
   if (std::exchange(is_to_rewind_, false)) {
     ByteWriter kept;

@@ -71,16 +71,15 @@ class SeriesJournal {
   SeriesState state(std::size_t i) const;
   /// Like state(), but fields that equal those of the output before are empty.
   SeriesState stored_state(std::size_t i) const;
-  /// For each field and output: whether the output stores the field itself instead of repeating the previous
-  /// one.
+  /// For each field and output: whether the output stores the field. If not, the field equals that of the
+  /// previous output.
   const std::vector<std::vector<bool>>& stored() const { return stored_; }
   /// The checkpoint of the last output that has one.
   const std::string& checkpoint() const { return checkpoint_; }
 
   /// Writes an output. Once this returns, the output survives a kill of the program.
   void write(const SeriesState& state, const std::string& checkpoint);
-  /// Throws FileError unless `layout`, that of the continued run, has the same fields as the layout in the
-  /// journal.
+  /// Throws FileError unless the layout of the continued run, `layout`, has the same fields as the journal's.
   void require_layout(const SeriesLayout& layout) const;
   void set_status(const SeriesStatus& status);
   void remove() { journal_->remove(); }

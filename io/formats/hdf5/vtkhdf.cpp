@@ -183,7 +183,7 @@ void VtkHdf::add_static_array(hid_t group, const StaticField& field, std::size_t
   put_labels(dataset, spec.unit, spec.doc);
 }
 
-/// For each state, the first row of the slot that holds it.
+/// For each state, the first row of the slot that holds it; slots are explained in vtkhdf.hpp.
 std::vector<std::int64_t> VtkHdf::offsets_of(const SlotArray& array) const {
   std::vector<std::int64_t> rows;
   std::size_t own = 0;  // number of states up to this one that have a slot of their own

@@ -45,10 +45,11 @@ struct StaticField {
 
 /// The /VTKHDF group: one unstructured grid whose points and fields change in time (VTKHDF 2.0).
 ///
-/// Each changing array holds states in slots of equal length. A state whose field equals that of the state
-/// before shares its slot. If S states have a slot of their own, state i = 0 … S-1, in order of time, is in
+/// Each changing array consists of slots of equal length, one per state. A state whose field equals that of
+/// the state before has no slot of its own and uses the slot of that state. The S states with a slot of their
+/// own, i = 0 … S-1 in order of time, are in
 ///   slot(i) = i + 1 for i < S-1,   slot(S-1) = 0                          (1)
-/// A reader that does not support time (ParaView ≤ 5.11) therefore shows the newest state.
+/// The newest of them is first, so that a reader without support for time (ParaView ≤ 5.11) shows it.
 class VtkHdf {
  public:
   /// `stored`: for each changing field, which states have their own slot; empty: all states.
@@ -66,8 +67,8 @@ class VtkHdf {
   void finish();
 
  private:
-  /// A dataset of slots; its rows have `columns` numbers. Consecutive slots are collected into a block that
-  /// one call writes, because before a write of less than 64 kB HDF5 first reads the surrounding bytes.
+  /// A dataset of slots; its rows have `columns` numbers. One call writes a block of consecutive slots,
+  /// because HDF5 first reads the surrounding bytes if a write has less than 64 kB.
   struct SlotArray {
     std::string name;
     std::size_t rows;

@@ -115,9 +115,9 @@ class VtkHdfMesh {
       cells_.names = reader_.names(kGridGroup + "/FieldData/region_names");
   }
 
-  /// Makes regions from the parts of a result of Netloft. Leaves out netting without panel coordinates, bars
-  /// of several twines, and bars that belong to no rope. The fractions of bars follow from their unstretched
-  /// lengths.
+  /// Makes regions from the parts of a result of Netloft. It leaves out netting without panel coordinates,
+  /// bars of several twines, and bars that belong to no rope. The fractions of a rope at the ends of its bars
+  /// follow from their unstretched lengths.
   void take_parts() {
     const std::size_t count = cells_.types.size();
     cells_.names = reader_.names("/netloft/parts/name");

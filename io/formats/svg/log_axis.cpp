@@ -9,8 +9,8 @@ namespace netloft::formats {
 
 namespace {
 
-// Relative difference up to which an end of the axis counts as equal to a value, because computed powers of
-// ten have round-off.
+// Relative difference up to which an end of the axis counts as equal to a value. Computed powers of ten have
+// round-off.
 constexpr double kDecadeRounding = 1e-9;
 // Markers keep at least this factor away from the frame.
 constexpr double kMarginFactor = 1.15;

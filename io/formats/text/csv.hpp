@@ -5,9 +5,9 @@
 
 namespace netloft::formats {
 
-/// A text as a cell of comma-separated values, quoted where it has to be (RFC 4180), without control
-/// characters except line feeds. A text that a spreadsheet would take for a formula, because it begins with
-/// = + - or @, gets an apostrophe before it (OWASP, "CSV Injection"); numbers are no formulas.
+/// Returns a text as a cell of comma-separated values, quoted if necessary (RFC 4180), without control
+/// characters except line feeds. A spreadsheet would take a text that begins with = + - or @ for a formula;
+/// such a text gets an apostrophe before it unless it is a number (OWASP, "CSV Injection").
 std::string csv_field(const std::string& text);
 
 /// A number as a cell of comma-separated values; an empty cell if the number is not known (NaN).

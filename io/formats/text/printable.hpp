@@ -7,9 +7,9 @@
 namespace netloft::formats {
 
 /// The text with its control characters written as in JSON, "\u001b", so that a terminal shows them and does
-/// not obey them: U+0000 to U+001F, U+007F to U+009F, and single bytes of the latter range, which a terminal
-/// without UTF-8 obeys. Line feeds and tabs stay; a line end of two characters becomes a line feed. A JSON
-/// text keeps its meaning.
+/// not obey them. These are U+0000 to U+001F, U+007F to U+009F, and single bytes of the latter range, which a
+/// terminal without UTF-8 obeys. Line feeds and tabs stay; a line end of two characters becomes a line feed.
+/// A JSON text keeps its meaning.
 std::string printable(std::string_view text);
 
 /// Like printable(), for a text that is a part of a line: line feeds are escaped too, and tabs become blanks.

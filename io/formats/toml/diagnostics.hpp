@@ -51,8 +51,8 @@ class Diagnostics {
   const std::vector<Diagnostic>& messages() const { return entries_; }
 
   int errors() const { return errors_; }
-  /// Whether the next error is still among those that are shown. If not, no hint for it is needed, which may
-  /// take long to find.
+  /// Whether the next error is still among those that are shown. Otherwise no hint, which may take long to
+  /// find, is needed.
   bool wants_hints() const { return errors_ < static_cast<int>(kMostShown); }
   int warnings() const { return static_cast<int>(entries_.size()) - errors_; }
 

@@ -125,8 +125,8 @@ std::optional<double> read_number(const Spot& at, const std::string& unit, const
 
 constexpr const char* kDegrees = "an angle in degrees is written \"30 deg\"";
 
-/// The numbers that a key takes, in SI. `written`: the unit that is stated once for all of them; empty if
-/// each states its own.
+/// The numbers that a key takes, in SI. `written`: the unit that is stated once for all of them, or empty if
+/// each number states its own.
 struct Wanted {
   const std::string& unit;
   Range range;
@@ -134,7 +134,7 @@ struct Wanted {
   std::string written = {};
 };
 
-/// A number with six digits: a conversion of units may have rounded the others.
+/// A number with six digits; the others may be errors of the conversion of units.
 std::string rounded(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
@@ -389,8 +389,8 @@ std::vector<double> TableReader::reals(std::string_view key, const RealsSpec& sp
 }
 
 /// Opens { unit = "deg", values = [0, 5, 10] }, which has one unit for all numbers. Any other value is
-/// returned as it is, without a unit. After an error in the unit, the numbers are meaningless; their count
-/// still prevents further errors about keys that must have equally many.
+/// returned as it is, without a unit. After an error in the unit, the numbers have no meaning. They are
+/// returned because their count prevents further errors about keys that must have equally many numbers.
 std::optional<TableReader::Numbers> TableReader::numbers_in(const Value& value, std::string_view key,
                                                             const std::string& si_unit,
                                                             const std::string& doc) {

@@ -155,7 +155,7 @@ class TableReader {
   void finish() const;
 
  private:
-  /// An array of numbers, and the unit of all of them; empty if each states its own.
+  /// An array of numbers, and the unit of all of them. The unit is empty if each number states its own.
   struct Numbers {
     std::string unit;
     const Value* values;

@@ -17,8 +17,8 @@ Unit raised(Unit unit, int power) {
   return unit;
 }
 
-/// Multiplies two units. In a product a degree is a temperature difference, so that W/(m2.degC) has no
-/// offset.
+/// Multiplies two units. In a product, a degree Celsius is a temperature difference, so that W/(m2.degC) has
+/// no offset.
 Unit product(Unit a, const Unit& b) {
   for (const auto& [base, exponent] : b.dimension) a.dimension[base] += exponent;
   std::erase_if(a.dimension, [](const auto& entry) { return entry.second == 0; });

@@ -20,8 +20,8 @@ struct Unit {
 /// The UDUNITS-2 database, with words of fishing and shipping that it lacks or defines differently.
 class UnitSystem {
  public:
-  /// Reads the database udunits2.xml at the path `database`. If the path is empty, reads the one that the
-  /// variable UDUNITS2_XML_PATH names, or else the installed one.
+  /// Reads the database udunits2.xml at the path `database`. If this path is empty, the variable
+  /// UDUNITS2_XML_PATH names the database; without this variable, the installed one is read.
   explicit UnitSystem(const std::string& database = {});
   ~UnitSystem();
   UnitSystem(const UnitSystem&) = delete;

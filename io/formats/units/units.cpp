@@ -102,9 +102,9 @@ std::string named(const Dimension& dimension, std::string_view unit) {
   return describe(dimension).name + " (" + std::string(unit) + ')';
 }
 
-/// Multiplies a number by the scale of a unit. The scale of a metric unit below its SI unit is the inverse of
-/// an integer. A division by this integer rounds once, a multiplication by 0.001 twice: "35 mm" would not be
-/// 0.035, and likewise 144 of the first 1000 numbers.
+/// Multiplies a number by the scale of a unit. If this scale is the inverse of an integer, as for mm, the
+/// number is divided by the integer, which rounds once. A multiplication by 0.001 would round twice: "35 mm"
+/// would not be 0.035, and 144 of the first 1000 numbers would be wrong, too.
 double times(double number, double scale) {
   const double inverse = std::round(1 / scale);
   const bool divides = std::abs(scale) < 1 && std::abs(inverse * scale - 1) < 4e-16 && inverse <= 1e15;
@@ -156,9 +156,9 @@ std::string proposal(std::string unit, const std::vector<std::string>& candidate
   return near ? "did you mean " + in_quotes(*near) + "?" : "";
 }
 
-/// Refuses a quantity because `word`, a part of its unit, is not known (empty: the unit cannot be divided
-/// into words). If the word is the whole unit, the hint proposes units of the wanted dimension; if it is a
-/// factor in a product, units of any dimension.
+/// Refuses a quantity because `word`, a part of its unit, is not known; an empty word means that the unit
+/// cannot be divided into words. The hint proposes units of the wanted dimension if the word is the whole
+/// unit, and units of any dimension if it is a factor in a product.
 Quantity refuse_unknown(std::string_view text, const std::string& unit, std::string word,
                         std::string_view si_unit) {
   if (word.empty())

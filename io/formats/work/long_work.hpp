@@ -31,8 +31,8 @@ class WorkFollower {
 /// Sets the follower of all long work in this thread, and returns the previous one; nullptr: no follower.
 WorkFollower* follow_work(WorkFollower* follower);
 
-/// Work that may take long, such as reading a scene, from its first step to the end of this object. Work
-/// within other work is a part of it.
+/// Work that may take long, such as reading a scene, from its first step to the end of this object. Nested
+/// work is a part of the outer work.
 class LongWork {
  public:
   explicit LongWork(const Step& first);
