@@ -46,7 +46,6 @@ struct Otter {
   };
   using Data = solids::Sided;
 
-  /// The tables of a part.
   struct Whole {
     Surface lift, drag, side, ploughing;
     Curve chord, span;  // fractions ξ and η of (3)
@@ -71,7 +70,6 @@ struct Otter {
     double speed = 0, attack = 0, sideslip = 0;
   };
   static Flow flow_past(const Data& d, const Body<double>& b);
-  /// Whether a flow is outside the range of a table.
   static bool is_outside(const Whole& whole, const Flow& flow);
 };
 

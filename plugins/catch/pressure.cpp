@@ -21,7 +21,7 @@ struct Skew {
 };
 Skew cross_matrix(const Vec3<double>& w) { return {{{0, -w.z, w.y}, {w.z, 0, -w.x}, {-w.y, w.x, 0}}}; }
 
-/// w_j of (4) in pressure.hpp.
+/// The side w_j of the triangle opposite to corner j, by (4) of pressure.hpp.
 Vec3<double> opposite(const State<4>& s, int j) {
   return s.x[static_cast<std::size_t>((j + 1) % 3)] - s.x[static_cast<std::size_t>((j + 2) % 3)];
 }
@@ -46,7 +46,7 @@ struct Cut {
   double depth, first, second, away;
 };
 
-/// The fractions (5) of the corner piece that the front cuts off at corner[0].
+/// The fractions (5) of pressure.hpp, for the corner piece that the front cuts off at corner[0].
 Pressure::Fraction cut_off(const std::array<std::size_t, 3>& corner, const Cut& cut) {
   const double t1 = cut.depth / cut.first, t2 = cut.depth / cut.second;  // fractions of the two sides
   const double d1 = cut.away / cut.first, d2 = cut.away / cut.second;    // derivatives with respect to m

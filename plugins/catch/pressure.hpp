@@ -49,7 +49,6 @@ struct Pressure {
     std::array<double, 3> to_aft{};  // distance s of each corner [meshes]
     double outward = 1;              // sign o of (2)
   };
-  /// Sums over all triangles of a part.
   struct Whole {
     double triangles = 0, length = 0;  // length: largest s [meshes]
   };

@@ -17,7 +17,6 @@ inline double factor_at(const netloft_table& table, double time) {
          (share(after) - share(after - 1)) * (time - t(after - 1)) / (t(after) - t(after - 1));
 }
 
-/// Whether all factors are positive.
 inline bool is_positive(const netloft_table& table) {
   for (std::uint32_t i = 0; i < table.rows; ++i)
     if (!(table.values[2 * i + 1] > 0)) return false;

@@ -47,7 +47,6 @@ struct Solid {
   double added_at_x = 0, added_at_y = 0, added_at_z = 0;  // point at which added mass has no moment [m]
 };
 
-/// The data of an element on a body.
 struct Sided {
   double side = 1;  // −1: the body is mirrored, y reversed
 };

@@ -26,7 +26,7 @@ double Float::drag_factor(const Parameters& p, const Water& w) {
 
 namespace {
 
-/// C_d and Re C_d′.
+/// The drag coefficient C_d and its slope Re dC_d/dRe.
 struct Coefficient {
   double value, slope;
 };

@@ -11,7 +11,7 @@ struct Factors {
   LaneNumber across, along, knots;  // k, a, m as values, and g, h, n as slopes
 };
 
-/// The velocities (1) of one flow.
+/// The velocities (1) of netting_twine.hpp for one flow.
 struct Motion {
   Motion(double shielding, const netloft_law_tile& f, std::size_t i) {
     for (int axis = 0; axis < 3; ++axis) {

@@ -5,7 +5,7 @@ namespace netloft::hydro {
 
 namespace {
 
-/// Computes the force of all flows of a tile, with k and g of (4). `phi` is the function φ(Re).
+/// Computes the force of all flows of a tile, with k and g of reynolds.hpp (4). `phi` is the function φ(Re).
 template <class Phi>
 void lanes_with(const MorisonReynolds::Parameters& p, const netloft_law_tile& f, const Phi& phi) {
   const double half = 0.5 * f.water_density * f.water_viscosity, per_viscosity = 1 / f.water_viscosity;

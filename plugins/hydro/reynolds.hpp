@@ -74,7 +74,6 @@ T takagi_phi(const T& reynolds) {
   return joined(joined(slow_phi(reynolds), low, Re, kTakagiFrom), 1.2 * Re, Re, kTakagiTo);  // (6)
 }
 
-/// The source of the drag coefficient of a cylinder.
 enum class Cylinder : std::int64_t { choo_casarella, takagi };
 
 /// Calls visit(φ) with the function φ(Re) of a cylinder, so that this function is chosen once, outside the

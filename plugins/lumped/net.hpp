@@ -26,7 +26,6 @@ struct Net {
 
   static void check(const Parameters&, const Data& d);
   static void pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane);
-  /// The stretch of one of the twines.
   static axial::Bar stretch(const Parameters& p, const Data& d, const State<2>& s);
   static std::array<Member, 1> members(const Parameters& p, const Data& d, double) {
     return {bars::member(p, d.rest_length, d.parallel)};

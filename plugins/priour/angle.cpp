@@ -109,7 +109,7 @@ void fill_convex(const Meshes& m, const Function& f, double cu, std::uint32_t co
   }
 }
 
-/// Adds block (P, Q) of (6) to the packed lower triangle of the tangent.
+/// Adds block (P, Q) of (6) in angle.hpp to the packed lower triangle of the tangent.
 template <int P, int Q>
 void add_block(const Triangle::Lanes& p, const Curvature& k, std::uint32_t count,
                double* __restrict tangent) {

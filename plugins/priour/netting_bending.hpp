@@ -49,7 +49,6 @@ struct Bending {
     double kappa, M[2];
   };
   static Flat flat(const Parameters& p, const Data& d);
-  /// The turning angle φ at the common edge [rad].
   static double turning_angle(const State<4>& s);
   static void check(const Parameters& p, const Data& d);
 

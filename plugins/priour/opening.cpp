@@ -23,7 +23,7 @@ struct Series {
 };
 constexpr Series kSeriesOf;
 
-/// Σ a_k e^(k−from) over k ≥ from.
+/// Returns Σ a_k e^(k−from) over k ≥ from.
 double sum(const double (&a)[kTerms + 1], int from, double e) {
   double total = 0;
   for (int k = kTerms; k >= from; --k) total = total * e + a[k];

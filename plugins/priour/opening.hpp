@@ -29,7 +29,6 @@ struct Opening {
   }
 };
 
-/// The term with a given stiffness H.
 struct OpeningGiven : Opening {
   static Status tile(const Family<Triangle>& family, netloft_tile& t) {
     return Opening::tile(family.lanes(t).H, family.lanes(t), t);

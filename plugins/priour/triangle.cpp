@@ -142,7 +142,7 @@ void stretch_direction(const Triangle::Lanes& p, const double (&c)[3][kLanes], c
   }
 }
 
-/// Adds the residual (5) of the bars of one direction: r_p += n c_p T t.
+/// Adds the residual (5) of triangle.hpp for the bars of one direction: r_p += n c_p T t.
 void add_force(const Triangle::Lanes& p, const double (&c)[3][kLanes], const Stretched& s,
                std::uint32_t count, double* __restrict force) {
   for (std::size_t i = 0; i < count; ++i) {

@@ -74,7 +74,6 @@ struct Triangle {
   static double twine_volume(const Parameters& p, const Data& d);
   /// Twine area as the trade defines it: length times diameter [m²].
   static double twine_area(const Parameters& p, const Data& d);
-  /// Half the angle between Û and V̂ [rad].
   static double half_angle(const Data& d, const State<3>& s);
 
   /// The stiffness H against opening of opening.hpp (1), as given or by the bending stiffness of the twines

@@ -26,7 +26,6 @@ struct Turn {
     g[0] = (1 / l[0]) * (d - dot(t[0], d) * t[0]);
     g[1] = (-1 / l[1]) * (d - dot(t[1], d) * t[1]);
   }
-  /// Whether both bars have a direction.
   bool is_inside(const std::array<double, 2>& rest_length) const {
     return l[0] > kShortest * rest_length[0] && l[1] > kShortest * rest_length[1];
   }

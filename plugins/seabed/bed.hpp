@@ -46,7 +46,6 @@ struct OnBed {
   /// The length L of (2) [m]. A node without rope or twine counts as one metre per piece (a weight, for
   /// example).
   static double metres_of(const Data& d) { return d.length > 0 ? d.length : d.pieces; }
-  /// The stiffness k L of (2).
   static double stiffness_of(const Parameters& p, const Data& d) { return p.stiffness * metres_of(d); }
   /// The normal force N of (3), in a scene with a bed.
   static double normal_force(const Parameters& p, const Data& d, const Whole& whole, const State<1>& s) {

@@ -149,7 +149,6 @@ cholmod_dense view_of(double* x, std::size_t size) {
   return view;
 }
 
-/// CHOLMOD's factors, with indices of 32 or of 64 bits.
 class CholmodFactors {
  public:
   virtual ~CholmodFactors() = default;

@@ -25,7 +25,6 @@ constexpr std::ptrdiff_t left_stride(std::ptrdiff_t pivots, std::ptrdiff_t other
   return upper_stride(pivots + others + kTileRows - 1);
 }
 
-/// The result of the elimination of a front.
 struct Elimination {
   std::int32_t stopped_at = -1;  // first pivot that is zero or too small; -1: none
   bool column_is_zero = false;   // whether the whole column of that pivot is zero

@@ -108,7 +108,6 @@ bool MultifrontalFactorisation::has_room() {
   return true;
 }
 
-/// The memory that has_room() allocates [bytes].
 double MultifrontalFactorisation::factor_bytes() const {
   if (!pattern_) return 0;
   return fronts_.bytes() + 8.0 * pattern_->size * sizeof(double);
@@ -208,7 +207,7 @@ void MultifrontalFactorisation::solve_alone(std::span<double> x) {
   for (std::size_t k = 0; k < by_place.size(); ++k) x[tree_.unknown[k]] = by_place[k];
 }
 
-/// Computes the residual b − A x, and returns the backward error (2).
+/// Computes the residual b − A x, and returns the backward error (2) of multifrontal.hpp.
 double MultifrontalFactorisation::find_residual(std::span<const double> x, std::span<const double> rhs) {
   matrix_kernels_.multiply(tree_.matrix, fronts_.values().data(), x, products_.data(), sizes_.data());
   double error = 0;

@@ -29,7 +29,6 @@ class Journal {
   /// Creates an empty journal; replaces one that a killed writer left. Throws FileError while another process
   /// writes to it.
   static Journal create(const std::filesystem::path& path);
-  /// A function that receives each complete record.
   using Visit = std::function<void(const Record&, std::string_view content)>;
   /// Opens an existing journal and visits all its records. Another process may still write to it: only the
   /// records that are complete now are read.
@@ -72,7 +71,6 @@ class Journal {
   std::string buffer_;
 };
 
-/// Whether the file begins like a journal.
 bool is_journal(const std::filesystem::path& path);
 
 }  // namespace netloft::formats

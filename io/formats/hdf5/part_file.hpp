@@ -28,7 +28,6 @@ class PartFile {
 
   void flush();
   void finish();
-  /// Like finish(), but with another final name.
   void finish_as(std::filesystem::path final_path);
   /// Removes the .part if it has no useful content; nothing can be written afterwards.
   void discard();

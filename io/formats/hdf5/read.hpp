@@ -26,7 +26,6 @@ class Reader {
   bool has(const std::string& path) const;
   /// Whether a group exists at the path.
   bool is_group(const std::string& path) const;
-  /// Names in a group, sorted.
   std::vector<std::string> list(const std::string& group) const;
   /// The extents of a dataset along its dimensions; an empty list for a scalar.
   std::vector<std::size_t> shape(const std::string& path) const;

@@ -53,7 +53,6 @@ class ResultFile {
 
   /// Flushes, closes, and gives the file its final name; nothing can be written afterwards.
   void finish();
-  /// Like finish(), but with another final name.
   void finish_as(std::filesystem::path final_path);
   /// Removes the growing file if it has no useful content.
   void discard() { part_.discard(); }

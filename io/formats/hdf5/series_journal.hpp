@@ -24,7 +24,6 @@ struct SeriesLayout {
   std::vector<SeriesColumn> columns;
 };
 
-/// One output of a motion.
 struct SeriesState {
   double time = 0;
   std::vector<double> points;               // positions, 3n [m]

@@ -194,7 +194,6 @@ std::vector<std::int64_t> VtkHdf::offsets_of(const SlotArray& array) const {
   return rows;
 }
 
-/// Writes one number per step.
 void VtkHdf::write_step_column(const std::string& path, std::span<const std::int64_t> values,
                                bool by_topology) {
   write_fixed(steps_, path, H5T_STD_I64LE, H5T_NATIVE_INT64, values.data(), {values.size(), 1},

@@ -78,7 +78,6 @@ std::string obj_text(const InputMesh& mesh, const std::string& source);
 InputMesh read_vtk(std::string_view text, int file, Diagnostics& diagnostics);
 std::string vtk_text(const InputMesh& mesh, const std::string& source);
 
-/// Whether the bytes begin like an HDF5 file.
 bool is_hdf5(std::string_view bytes);
 
 /// Reads VTKHDF: an unstructured grid with the arrays of VTK legacy files, at its last time; or a result of

@@ -13,7 +13,6 @@ class Axis {
   };
 
   virtual ~Axis() = default;
-  /// Whether the axis can show a value.
   virtual bool has_place(double value) const = 0;
   /// The position of a value: 0 at the low end, 1 at the high end.
   virtual double place(double value) const = 0;
@@ -21,7 +20,6 @@ class Axis {
   double low() const { return low_; }
   double high() const { return high_; }
   const std::vector<Tick>& ticks() const { return ticks_; }
-  /// Whether labels are powers of ten.
   bool labels_powers() const { return labels_powers_; }
 
  protected:

@@ -39,7 +39,6 @@ class Catalogue {
   /// Folders that do not exist are skipped. Errors are put into the diagnostics with their places.
   static Catalogue load(const std::vector<std::filesystem::path>& folders, formats::Diagnostics& diagnostics);
 
-  /// The parts of one file.
   static Catalogue load_file(const std::filesystem::path& file, formats::Diagnostics& diagnostics);
 
   /// Adds `by` to the file index of all places. Needed after the catalogue's files were appended to those of

@@ -28,7 +28,6 @@ struct PartKind {
 };
 
 std::span<const PartKind> part_kinds();
-/// The kind of this name; nullptr if there is none.
 const PartKind* find_kind(std::string_view name);
 /// Names of the kinds that a scene may give under `key`: "rope" → rope, wire, chain.
 std::vector<std::string> kinds_under(std::string_view key);

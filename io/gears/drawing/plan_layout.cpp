@@ -21,7 +21,6 @@ double length_of_mesh(const Panel& panel) {
   return panel.orientation == "square" ? panel.mesh / 2 : panel.mesh;
 }
 
-/// The middle of a fore or aft edge.
 PanelPoint middle_of(const EdgeSet& set) {
   const double left = std::min(set.edges.front().from.x, set.edges.back().to.x);
   const double right = std::max(set.edges.front().from.x, set.edges.back().to.x);

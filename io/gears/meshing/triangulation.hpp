@@ -32,7 +32,6 @@ PlaneMesh split_sides(const PlaneMesh& mesh, std::size_t border, double size,
                       const std::vector<std::array<std::uint32_t, 2>>& sides,
                       Smoothing smoothing = Smoothing::all);
 
-/// The angles of one triangle [rad].
 std::array<double, 3> angles_of(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);
 
 }  // namespace netloft::gears

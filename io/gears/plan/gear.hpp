@@ -112,7 +112,7 @@ struct Gear {
 
   const GearPanel* find_panel(const std::string& name) const;
   const GearRope* find_rope(const std::string& name) const;
-  /// The name of an edge, such as "top-body.port-wing".
+  /// Returns the name of an edge, such as "top-body.port-wing".
   std::string name_of(const EdgeRef& edge) const;
   /// If a row of edges goes round the net, returns the last panel of the row; otherwise nullopt. Such a row
   /// begins in the middle of its first panel, goes outwards, and comes back to the middle along its last

@@ -42,7 +42,6 @@ void read_winch(formats::TableReader& warp, Rope& rope);
 /// has their stiffness and mass.
 void add_selvedges(NetPlan& plan, formats::Diagnostics& diagnostics);
 
-/// Reads the symmetry of a part, `stands = "pair"`.
 Standing read_standing(formats::TableReader& table, const char* fallback);
 
 }  // namespace netloft::gears

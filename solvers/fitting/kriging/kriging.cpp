@@ -30,7 +30,7 @@ constexpr double kShortest = 0.02, kLongest = 20;
 // Range of ν, the scatter of the values over σ². With less scatter, K is singular in double precision; with
 // more, all variation is scatter.
 constexpr double kLeastScatter = 1e-10, kMostScatter = 1;
-// Steps of the search in ln ℓ and ln ν. The smallest step changes (5) by less than one.
+// Steps of the search in ln ℓ and ln ν. The smallest step changes (5) of kriging.hpp by less than one.
 constexpr double kFirstStep = 1.6, kLastStep = 0.1;
 
 using Correlation = KrigingScales::Correlation;
@@ -82,7 +82,7 @@ struct Factorised {
     variance = weights.dot(rest) / static_cast<double>(n - trend.cols());
   }
 
-  /// Returns the quantity (5) that is minimised, or infinity if K has no factor.
+  /// Returns the quantity (5) of kriging.hpp, which is minimised, or infinity if K has no factor.
   double unlikeliness() const {
     if (factor.info() != Eigen::Success || information.info() != Eigen::Success || !(variance > 0))
       return std::numeric_limits<double>::infinity();
@@ -90,7 +90,6 @@ struct Factorised {
            logarithm(information);
   }
 
-  /// The logarithm of the determinant.
   static double logarithm(const Eigen::LLT<Matrix>& llt) {
     return 2 * llt.matrixLLT().diagonal().array().log().sum();
   }

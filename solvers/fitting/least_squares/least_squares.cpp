@@ -86,7 +86,7 @@ class Fitter {
     return (parameters[j] - priors_[j].mean) / priors_[j].deviation;
   }
 
-  /// Computes J_f, N and g of (2) and (4).
+  /// Computes the derivatives J_f, N and g of (2) and (4) in least_squares.hpp.
   bool find_slopes() {
     const auto slopes = model_.slopes(point_.parameters);
     if (!slopes) return false;
@@ -116,7 +116,7 @@ class Fitter {
     return (at <= priors_[j].low && slope > 0) || (at >= priors_[j].high && slope < 0);
   }
 
-  /// Returns δ of (2) for the parameters that are not pinned.
+  /// Returns the step δ of (2) in least_squares.hpp for the parameters that are not pinned.
   Vector step() const {
     Matrix damped = normal_;
     Vector right = -gradient_;
@@ -140,7 +140,7 @@ class Fitter {
     return to;
   }
 
-  /// Tries steps that get shorter until one lowers S.
+  /// Tries ever shorter steps until one lowers the sum S, (1) of least_squares.hpp.
   Outcome descend() {
     while (fit_.steps < options_.iterations && damping_ < kMostDamping) {
       const Vector by = step();
@@ -165,7 +165,7 @@ class Fitter {
     return std::move(fit_);
   }
 
-  /// Fills in the posterior (3) and the deviations of predictions (4).
+  /// Fills in the posterior (3) and the deviations of predictions (4) of least_squares.hpp.
   Fit finish(bool converged, std::string reason) {
     const Matrix covariance = normal_.ldlt().solve(Matrix::Identity(normal_.rows(), normal_.cols()));
     const std::size_t n = priors_.size();

@@ -19,7 +19,7 @@ struct Measurement {
   double value = 0, deviation = 1;
 };
 
-/// A model f of measurements over parameters θ.
+/// A model f(θ) that predicts measurements from parameters θ.
 class Model {
  public:
   virtual ~Model() = default;
@@ -27,7 +27,6 @@ class Model {
   virtual std::optional<std::vector<double>> predict(const std::vector<double>& parameters) = 0;
   /// Returns ∂f/∂θ at θ, a row per measurement, or nullopt if the model has no solution near θ.
   virtual std::optional<std::vector<std::vector<double>>> slopes(const std::vector<double>& parameters) = 0;
-  /// Whether the user has interrupted the fit.
   virtual bool is_interrupted() const { return false; }
 };
 

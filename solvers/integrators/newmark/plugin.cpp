@@ -20,7 +20,7 @@ Scheme scheme_of(const Newmark::Parameters& p) {
   return {(1 - chi) * (1 - chi) / 4, (1 - 2 * chi) / 2};
 }
 
-/// Computes qₙ₊₁ and its rate by (2) and (3) from the present q̈ₙ₊₁.
+/// Computes qₙ₊₁ and its rate by (2) and (3) of newmark.hpp from the present q̈ₙ₊₁.
 void move(const Scheme& s, Motion& m) {
   const double h = m.h();
   for (std::size_t i = 0; i < m.size(); ++i) {
@@ -55,7 +55,7 @@ Step correct_by_fixed_point(const Newmark::Parameters& p, const Scheme& s, Motio
   return Step::shorter;
 }
 
-/// The corrector "solve": solves (1) for qₙ₊₁, with velocity and acceleration by (6).
+/// The corrector "solve": solves (1) of newmark.hpp for qₙ₊₁, with velocity and acceleration by (6).
 Step correct_by_solving(const Scheme& s, Motion& m) {
   const double h = m.h(), ca = 1 / (s.beta * h * h), cv = s.gamma / (s.beta * h);
   auto v0 = m.scratch(0), a0 = m.scratch(1);

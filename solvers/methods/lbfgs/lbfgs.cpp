@@ -82,7 +82,7 @@ class Minimiser {
       std::copy(v.begin(), v.end(), Bv.begin());
   }
 
-  /// Computes the direction p of (1).
+  /// Computes the direction p of (1) in lbfgs.hpp.
   void find_direction() {
     memory_.multiply(r_, Br_, scratch_, step_);
     for (double& v : step_) v = -v;

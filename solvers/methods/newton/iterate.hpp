@@ -41,7 +41,6 @@ class Iterate {
   /// Whether a step along a path promises no decrease beyond rounding: whether the decrease that the slope
   /// predicts is at most round_off(path).
   bool promises_round_off(const Path& path) const;
-  /// Number of points accepted so far.
   std::size_t count() const { return count_; }
 
   /// Evaluates at u and stores the tangent if `matrix` requests it. Returns false if forces are undefined at
@@ -51,7 +50,7 @@ class Iterate {
   bool split_residual();
   bool report(const char* note) { return problem_.progress(problem_.u(), energy_, r_, note); }
 
-  /// s = −A⁻¹ r with the last factor A.
+  /// Computes s = −A⁻¹ r, where A is the matrix that was factorised last.
   void solve(std::span<double> s);
   /// Returns r at u(t), or nullopt if forces are undefined there.
   std::optional<std::span<const double>> residual_at(const Path& path, double t);

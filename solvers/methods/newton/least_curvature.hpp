@@ -20,12 +20,12 @@ class LeastCurvature {
   /// Limit of the steps. A search therefore needs memory for at most twenty vectors.
   static constexpr std::size_t kSteps = 10;
 
-  /// Reserves memory for `size` unknowns, which only a search fills.
+  /// Reserves memory for `size` unknowns. Only a search fills it.
   explicit LeastCurvature(std::size_t size);
 
   /// Returns λ of (C1), or NaN if M cannot be used. The last factor must be that of K + `shift` M.
   double find(Problem& problem, double shift);
-  /// v of (C1), after a search.
+  /// The vector v of (C1) that the last search has found.
   std::span<const double> direction() const { return w_; }
 
  private:

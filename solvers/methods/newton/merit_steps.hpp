@@ -16,7 +16,7 @@ namespace netloft::newton {
 /// 2012).
 class CurvedStep {
  public:
-  /// Reserves memory for `size` unknowns, which only find() fills.
+  /// Reserves memory for `size` unknowns. Only find() fills it.
   explicit CurvedStep(std::size_t size) {
     minus_second_derivative_.reserve(size);
     a_.reserve(size);

@@ -14,7 +14,7 @@ namespace netloft::newton {
 /// 1/`margin` elements.
 class NegativeCurvature {
  public:
-  /// Reserves memory for the directions, which only a search fills.
+  /// Reserves memory for the directions. Only a search fills it.
   NegativeCurvature(const Newton::Parameters& parameters, const Problem& problem);
 
   /// Returns the direction v of the most negative curvature of K, if there is any. The last factor must be

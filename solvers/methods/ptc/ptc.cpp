@@ -48,7 +48,7 @@ class ImplicitSteps {
     std::fill(moved_.begin(), moved_.end(), 0.0);
   }
 
-  /// Solves (1) by corrections (2) for one step in time, and adapts δ.
+  /// Solves (1) of ptc.hpp by corrections (2) for one step in time, and adapts its length δ.
   bool take_step() {
     for (std::int64_t corrections = 1; corrections <= p_.corrections; ++corrections) {
       if (!correct()) return false;
@@ -60,7 +60,7 @@ class ImplicitSteps {
     return false;
   }
 
-  /// Takes one correction s of (2), and evaluates there.
+  /// Takes one correction s of (2) in ptc.hpp, and evaluates the residual there.
   bool correct() {
     if (problem_.factorise(Matrix::exact, 1 / delta_) != Factor::ok) return false;
     problem_.multiply(Matrix::none, 1 / delta_, moved_, unbalanced_);

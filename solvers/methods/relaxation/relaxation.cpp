@@ -51,7 +51,7 @@ class Motion {
     return problem_.progress(problem_.u(), energy_, r_, note);
   }
 
-  /// Computes the masses (1), at least kLightest of the heaviest.
+  /// Computes the masses (1) of relaxation.hpp, each at least kLightest times the heaviest.
   void fit_masses() {
     problem_.row_sums(Matrix::none, 1, m_);
     const double heaviest = m_.empty() ? 0 : *std::max_element(m_.begin(), m_.end());
@@ -78,7 +78,7 @@ class Motion {
     axpy(1, v_, problem_.u());
   }
 
-  /// Updates the velocity by (2) and the kinetic energy (3).
+  /// Updates the velocity by (2) and the kinetic energy by (3) of relaxation.hpp.
   void accelerate() {
     double sum = 0;
     for (std::size_t i = 0; i < v_.size(); ++i) {
@@ -113,7 +113,7 @@ class Motion {
     return true;
   }
 
-  /// Whether λ exceeds the stability limit (5).
+  /// Whether λ exceeds the limit of stability, (5) of relaxation.hpp.
   bool is_too_fast() {
     rate_ = (dot(r_, v_) - work_) / (2 * kinetic_[2]);
     return rate_ > kLargestRate;

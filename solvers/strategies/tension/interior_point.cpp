@@ -11,7 +11,6 @@ namespace {
 /// Limit of μ and of the residual at convergence, relative to the load.
 constexpr double kSolved = 0x1p-26;
 
-/// Returns at most one, and NaN for NaN.
 double at_most_whole(double step) { return step > 1 ? 1 : step; }
 
 }  // namespace
@@ -45,7 +44,7 @@ InteriorPoint::Ending InteriorPoint::solve(std::span<double> u, double load) {
   return Ending::no_forces;
 }
 
-/// Sets a first point that satisfies (2) for the given u, but not (1).
+/// Sets a first point that satisfies (2) of interior_point.hpp for the given u, but not (1).
 void InteriorPoint::begin(std::span<const double> u) {
   is_indefinite_ = false;
   members_.find_chords(u, w_);
@@ -94,7 +93,7 @@ void InteriorPoint::set_members() {
   for (std::size_t e = 0; e < members_.size(); ++e) set_member(e);
 }
 
-/// Computes the stiffness and the force q of one member in (3).
+/// Computes the stiffness and the force q of one member for (3) of interior_point.hpp.
 void InteriorPoint::set_member(std::size_t e) {
   const double l0 = members_[e].rest_length;
   const cone::Point& y = states_[e].y;
@@ -117,7 +116,7 @@ bool InteriorPoint::factorise() {
   return members_.factorise_indefinite() == Factor::ok;
 }
 
-/// Computes the step by (5) and returns its length (6).
+/// Computes the step by (5) of interior_point.hpp and returns its length (6).
 double InteriorPoint::find_step() {
   predict();
   const double reached = at_most_whole(longest_step());

@@ -88,7 +88,7 @@ bool MixedNewton::has_converged(const Stage& stage) {
   return find_residual() && is_balanced(stage.tolerance);
 }
 
-/// Computes (1) with T = k ε(u). Returns false if it is not finite.
+/// Computes the residual (1) of mixed_newton.hpp with T = k ε(u). Returns false if it is not finite.
 bool MixedNewton::find_residual() {
   for (std::size_t e = 0; e < members_.size(); ++e) {
     const Geometry& g = geometry_[e];
@@ -147,7 +147,7 @@ double MixedNewton::largest_turn() const {
   return std::sqrt(square);
 }
 
-/// Takes the step (3), shortened so that no member turns too far, and adapts the damping.
+/// Takes the step (3) of mixed_newton.hpp, shortened if a member would turn too far, and adapts the damping.
 void MixedNewton::take(const Stage& stage, std::span<double> u) {
   const double a = std::min(1.0, stage.farthest_turn / largest_turn());
   took_whole_step_ = a == 1;

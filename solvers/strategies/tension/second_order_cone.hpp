@@ -23,7 +23,7 @@ inline double length(const Point& x) { return std::sqrt(x[1] * x[1] + x[2] * x[2
 /// K.
 inline double determinant(const Point& x) { return (x[0] - length(x)) * (x[0] + length(x)); }
 
-/// a ∘ b = (a·b, a₀ b̄ + b₀ ā).
+/// Returns a ∘ b = (a·b, a₀ b̄ + b₀ ā).
 inline Point product(const Point& a, const Point& b) {
   return {dot(a, b), a[0] * b[1] + b[0] * a[1], a[0] * b[2] + b[0] * a[2], a[0] * b[3] + b[0] * a[3]};
 }
@@ -68,7 +68,7 @@ class Scaling {
     beta_ = std::sqrt(of_y / of_z);
   }
 
-  /// W x.
+  /// Returns W x.
   Point scaled(const Point& x) const {
     const double along = 2 * dot(v_, x);
     const Point Jx = mirrored(x);
@@ -76,7 +76,7 @@ class Scaling {
     for (std::size_t i = 0; i < 4; ++i) y[i] = beta_ * (along * v_[i] - Jx[i]);
     return y;
   }
-  /// W⁻¹ x.
+  /// Returns W⁻¹ x.
   Point unscaled(const Point& x) const {
     const double along = 2 * dot(mirrored(v_), x);
     const Point Jv = mirrored(v_), Jx = mirrored(x);
@@ -84,7 +84,7 @@ class Scaling {
     for (std::size_t i = 0; i < 4; ++i) y[i] = (along * Jv[i] - Jx[i]) / beta_;
     return y;
   }
-  /// An entry of W².
+  /// Returns an entry of W².
   double squared(std::size_t i, std::size_t j) const {
     const double J = i != j ? 0 : i == 0 ? 1 : -1;
     return beta_ * beta_ * (2 * p_[i] * p_[j] - J);
