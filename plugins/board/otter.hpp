@@ -83,8 +83,7 @@ struct Coefficients {
   T at_chord, at_span;  // point of action by (3) [m]
 };
 
-/// Returns the factor i of plate.hpp (7), the effect of the bed on the plate, from the clearance of the lower
-/// edge.
+/// Returns the factor i of plate.hpp (7), the effect of the bed, from the clearance of the lower edge.
 template <class T>
 T image_in_bed(const Otter::Parameters& p, const Body<T>& b) {
   if (!b.bed.is_there) return T(0);

@@ -31,7 +31,7 @@ inline void fill_flow(const Lanes& p, const Chords& chord, const netloft_tile& t
   std::fill_n(flow.solidity, count, 0.0);
 }
 
-/// Computes row r of ½ ∂f/∂W (dc/dz)_q: the effect of a vertical motion of node q in a sheared current.
+/// Computes row r of ½ ∂f/∂W (dc/dz)_q, the effect of a vertical motion of node q in a sheared current on f.
 inline void find_shear(const FlowLanes& f, const netloft_tile& t, int r, int q, double* shear) {
   std::fill_n(shear, t.count, 0.0);
   if (!t.current_dz) return;
@@ -40,7 +40,7 @@ inline void find_shear(const FlowLanes& f, const netloft_tile& t, int r, int q, 
       shear[i] += 0.5 * f.d_flow[3 * r + c][i] * t.current_dz[at(3 * q + c, i)];
 }
 
-/// Computes row r of ∂f/∂t (I − t tᵀ)/l: the effect of the rotation of the bar.
+/// Computes row r of ∂f/∂t (I − t tᵀ)/l, the effect of the rotation of the bar on the drag per metre f.
 inline void find_turn(const Chords& chord, const FlowLanes& f, std::size_t count, int r,
                       double (&turn)[3][kLanes]) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -122,8 +122,7 @@ inline void angle_of(const Lanes& p, const netloft_tile& t, double* values) {
   }
 }
 
-/// A damper for every bar, with the tension c (dl/dt − g l). g is the rate at which its unstretched length
-/// grows.
+/// A damper for every bar, with the tension c (dl/dt − g l); its unstretched length grows at the rate g.
 struct Dampers {
   double c[kLanes] = {}, slope[kLanes] = {};  // c and dc/dl
   double growth[kLanes] = {};                 // rate g [1/s]

@@ -9,8 +9,7 @@
 
 namespace netloft::solids {
 
-/// A symmetric tensor, given by principal values and axes. It is positive semi-definite if no value is
-/// negative.
+/// A symmetric tensor, given by principal values and axes; positive semi-definite if no value is negative.
 struct Tensor {
   Vec3<double> values;
   std::array<Vec3<double>, 3> axes;
@@ -74,8 +73,7 @@ struct Weight {
 ///   F = −m a_c at the centre of mass,  M = −R (J Ω̇ + Ω×J Ω)                                     (2)
 ///   F = −R (A u̇ + Ω×A u) at a,  M = −R (B Ω̇ + Ω×B Ω + u×A u)                                    (3)
 /// (H. Lamb, Hydrodynamics, 1932, §§ 121-124: G. Kirchhoff's equations). u is the velocity in the axes of the
-/// scene, not relative to the water, because coefficients of lift and moment include the effect of a steady
-/// flow.
+/// scene, not relative to the water: coefficients of lift and moment include the effect of a steady flow.
 struct Inertia {
   template <class T>
   static Wrench<T> force(const Solid& p, const Sided& d, const Body<T>& b) {

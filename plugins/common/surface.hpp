@@ -36,8 +36,8 @@ inline double above_surface(const netloft_tile& t, int node, std::size_t i) {
   return t.x[at(3 * node + 2, i)] - (surface ? surface[at(node, i)] : 0);
 }
 
-/// Whether a node loses no drag or buoyancy, because its cube is under water or σ is 0. `Lanes` has volume
-/// and surface.
+/// Whether a node loses no drag or buoyancy: its cube is under water or σ is 0. `Lanes` has volume and
+/// surface.
 template <int N, class Lanes>
 bool is_wet(const Lanes& p, const netloft_tile& t, int node, std::size_t i) {
   const double z = above_surface(t, node, i);

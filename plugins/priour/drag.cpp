@@ -143,8 +143,8 @@ void find_shear(const Force& F, const netloft_tile& t, const Slowing* slowed, in
   }
 }
 
-/// Computes ∂F/∂x of every element in row r, for corner q and column c, weighted by the factors cu and cv of
-/// the tile.
+/// Computes ∂F/∂x of every element in row r, for corner q and column c, with the factors cu and cv of the
+/// tile.
 void find_slope(const Force& F, const Slowing* slowed, const netloft_tile& t, int r, int q, int c,
                 double* slope) {
   double shear[kLanes] = {};
@@ -176,9 +176,8 @@ void add_tangent(const Force& F, netloft_tile& t) {
       }
 }
 
-/// Adds the tangent in slowed water minus the tangent in undisturbed water. The difference is computed before
-/// it is added, because adding one tangent and subtracting the other would leave rounding errors of their
-/// size.
+/// Adds the tangent in slowed water minus the tangent in undisturbed water. The difference is computed first,
+/// because adding one tangent and subtracting the other would leave rounding errors of their size.
 void add_change_of_tangent(const Force& in_slowed, const Slowing& slowed, const Force& in_all,
                            netloft_tile& t) {
   double with[kLanes] = {}, without[kLanes] = {};

@@ -11,14 +11,14 @@ namespace netloft::priour {
 /// A law of twines gives f(W, t) [N/m]. It acts on the unstretched length of the twines of both directions:
 ///   F = n l₀ [f(W, Û) + f(W, V̂)],  n = |d|/2                                                         (2)
 ///   ∂F/∂x_q = n l₀ [a_q f_t(Û)(I − ÛÛᵀ)/‖U‖ + b_q f_t(V̂)(I − V̂V̂ᵀ)/‖V‖] + ⅓ F_W (dc/dz)_q e_zᵀ        (3)
-/// A law of screens gives f(W, m, S) [N/m²] for the normal m and the solidity S. It acts on the current area
-/// A:
+/// A law of screens gives f(W, m, S) [N/m²] for the normal m and the solidity S. It acts on the area A:
 ///   N = (x₂−x₁)×(x₃−x₁),  A = ½‖N‖,  m = N/‖N‖,  S = |d| D l₀/A  (only the law limits S)           (4)
 ///   F = A f                                                                                          (5)
 ///   ∂F/∂N = ½ (f − S f_S) mᵀ + ½ f_m (I − mmᵀ)                                                       (6)
 ///   ∂F/∂x_q = ∂F/∂N [e_q]× + ⅓ F_W (dc/dz)_q e_zᵀ,  e_q = x_{q+2} − x_{q+1} cyclic                   (7)
-/// D [m] is the diameter and l₀ [m] the length of a bar. An area below kNoArea |d| l₀² is replaced by that
-/// value, because a folded triangle has no normal. Source: the trawl-gear paper, eqs. (2) and (4).
+/// D [m] is the diameter, l₀ [m] the length of a bar, (dc/dz)_q the vertical gradient of the current at
+/// corner q, and [e]× v = e×v. An area below kNoArea |d| l₀² is replaced by that value, because a folded
+/// triangle has no normal. Source: the trawl-gear paper, eqs. (2) and (4).
 struct Drag {
   static constexpr double kNoArea = 1e-12;
 

@@ -13,8 +13,7 @@ double bars_beside(const Bending::Data& d, std::size_t k) {
   return std::abs(Triangle::determinant(d.u, d.v, k));
 }
 
-/// The function L of (3) and (5) in netting_bending.hpp and its derivatives with respect to w, from h = 1 −
-/// w.
+/// The function L(w) of (3) and (5) in netting_bending.hpp and its derivatives, from h = 1 − w.
 struct Logarithm {
   explicit Logarithm(double h) {
     const double w = 1 - h, w0 = Bending::kFolded;

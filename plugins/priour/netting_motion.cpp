@@ -75,8 +75,8 @@ struct OfCorner {
   Vec3<double> at_lane(std::size_t i) const { return {y[0][i], y[1][i], y[2][i]}; }
 };
 
-/// Adds the derivatives of row r of corner m: (4) of netting_motion.hpp and, if derivatives by position are
-/// requested, (5).
+/// Adds the derivatives of row r of corner m: (4) of netting_motion.hpp and, for derivatives by position,
+/// (5).
 void add_slopes(const Twines& w, const Inert& of, const OfCorner& a, const double (&c)[3][kLanes],
                 const Accelerated& by, int m, int r, netloft_tile& t) {
   double turned[kLanes];
@@ -95,8 +95,7 @@ void add_slopes(const Twines& w, const Inert& of, const OfCorner& a, const doubl
   }
 }
 
-/// Adds the inertia (3) of the twines of one direction, or the force (6) of waves, in loops over all
-/// elements.
+/// Adds inertia, (3) of netting_motion.hpp, or the force (6) of waves, for the twines of one direction.
 void accelerate(const Triangle::Lanes& p, const double (&c)[3][kLanes], const Accelerated& by,
                 netloft_tile& t) {
   const Twines w(t, c, p.l0);

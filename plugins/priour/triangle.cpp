@@ -117,8 +117,7 @@ double Triangle::half_angle(const Data& d, const State<3>& s) {
 
 namespace {
 
-/// Stiffness A of axial.hpp (4) times the number of bars, for one direction of every element: six numbers
-/// each.
+/// Stiffness A of axial.hpp (4) times the number of bars of one direction: six numbers per element.
 struct Blocks {
   double v[6][kLanes];
 };

@@ -76,8 +76,7 @@ struct Triangle {
   static double twine_area(const Parameters& p, const Data& d);
   static double half_angle(const Data& d, const State<3>& s);
 
-  /// The stiffness H against opening of opening.hpp (1), as given or by the bending stiffness of the twines
-  /// [N·m/rad].
+  /// The stiffness H of opening.hpp (1) [N·m/rad], as given or from the bending stiffness of the twines.
   static double opening_stiffness(const Parameters& p, const Data& d);
   /// c_k of knot_contact.hpp (1), the cosine of the angle between the twines when knots touch.
   static double touching_cosine(const Parameters& p, const Data& d);

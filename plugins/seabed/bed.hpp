@@ -43,8 +43,7 @@ struct OnBed {
   }
   static void check(const Parameters&, const Data& d) { Plane::check({}, d); }
 
-  /// The length L of (2) [m]. A node without rope or twine counts as one metre per piece (a weight, for
-  /// example).
+  /// The length L of (2) [m]. A node without rope or twine counts as one metre per piece, such as a weight.
   static double metres_of(const Data& d) { return d.length > 0 ? d.length : d.pieces; }
   static double stiffness_of(const Parameters& p, const Data& d) { return p.stiffness * metres_of(d); }
   /// The normal force N of (3), in a scene with a bed.
@@ -67,8 +66,7 @@ struct OnBed {
                               const MovingNodes<T, 1>& m);
   };
 
-  /// The terms of friction on a bed at rest: displacement d of plane.hpp (4), shear spring m κ L, limit q μ
-  /// N.
+  /// Friction on a bed at rest: displacement d of plane.hpp (4), shear spring m κ L, limit q μ N.
   template <class T>
   struct Grip {
     Vec3<T> d{};

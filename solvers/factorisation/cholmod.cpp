@@ -210,9 +210,8 @@ class CholmodFactorisation final : public Factorisation, public ForeseesMemory {
 /// Neighbouring supernodes are merged into one of n columns in four cases: n ≤ 20; n ≤ 48 with at most a
 /// fraction of 0.8 of zeros among its entries; n ≤ 96 with at most 0.2; any n with at most 0.08. With three
 /// unknowns per node, larger blocks are better than CHOLMOD's own 4, 16, 48, 0.8, 0.1, 0.05: a factorisation
-/// got 20–27 % faster for 10⁴ unknowns, 7 % (triangles) to 23 % (squares) for 10⁵, and 6–9 % for 3·10⁵; a
-/// solve got 10 % slower. None of seven other sets, on tangents of 10³ to 3·10⁵ unknowns, gains more than 5
-/// %.
+/// got 20–27 % faster for 10⁴ unknowns, 7 % (triangles) to 23 % (squares) for 10⁵, 6–9 % for 3·10⁵; a solve
+/// got 10 % slower. None of seven other sets gains over 5 % on tangents of 10³ to 3·10⁵ unknowns.
 void merge_supernodes(cholmod_common& common) {
   constexpr std::size_t kColumns[] = {20, 48, 96};
   constexpr double kZeros[] = {0.8, 0.2, 0.08};
@@ -260,8 +259,8 @@ bool FactorsOf<Index>::analyse(const SparsePattern& pattern, const NodeOrdering&
   return true;
 }
 
-/// Memory of the supernodes of L with their zeros, of the largest update and of the workspace of a solve
-/// [bytes].
+/// Memory [bytes] of the supernodes of L with their zeros, of the largest update and of the workspace of a
+/// solve.
 template <class Index>
 double FactorsOf<Index>::bytes() const {
   const auto n = static_cast<double>(factor_->n);

@@ -8,8 +8,7 @@ namespace netloft {
 class ForeseesMemory {
  public:
   virtual ~ForeseesMemory() = default;
-  /// Memory [bytes] that the first factorisation and its solves need in addition to that of `analyse`; 0 if
-  /// unknown.
+  /// Memory that the first factorisation and its solves need beyond that of `analyse` [bytes]; 0 if unknown.
   virtual double factor_bytes() const = 0;
 };
 

@@ -43,8 +43,7 @@ struct ChildUpdate {
 
 /// Operations on numbers of the matrix and of fronts, for the instruction set of this processor.
 struct MatrixKernels {
-  /// Adds the update of a child to the panels of a front, and to its update C, which has the stride of
-  /// `upper`.
+  /// Adds the update of a child to the panels of a front, and to its update C with the stride of `upper`.
   void (*add_child)(const ChildUpdate& child, const FrontPanels& front, double* C);
   /// Copies `from` to `to`. Returns false if some numbers are not finite.
   bool (*take)(std::span<const double> from, double* to);

@@ -17,7 +17,7 @@ class WriteError : public std::runtime_error {
 
 /// Writes `content` to the file `path`, or throws WriteError and leaves the old file unchanged. The content
 /// is first written to PATH.new; this file is synced and then renamed. Programs that write the same file at
-/// once take turns. A link to a file is replaced, not followed; a folder, a device, and a link to either are
+/// once take turns. A link to a file is replaced, not followed. Folders, devices, and links to them are
 /// refused.
 void write_whole(const std::filesystem::path& path, std::string_view content);
 

@@ -22,8 +22,8 @@ Number number_at(std::string_view bytes, std::size_t place) {
   return value;
 }
 
-/// Writes plain data as consecutive bytes: integers and reals with 8 bytes, arrays and texts after their
-/// length.
+/// Writes plain data as consecutive bytes: integers and reals as 8 bytes each, arrays and texts with
+/// their length before them.
 class ByteWriter {
  public:
   void put(std::uint64_t value) { put_raw(&value, sizeof value); }

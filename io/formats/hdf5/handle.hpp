@@ -15,8 +15,7 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Stops HDF5 from printing its error stack on stderr. The switch is per thread, so every entry point calls
-/// this first.
+/// Stops HDF5 from printing its errors on stderr, in this thread only; every entry point calls this first.
 void silence_hdf5();
 
 /// The newest HDF5 error in one line: the call that failed, and the cause at the bottom of the stack.

@@ -184,8 +184,7 @@ void Journal::cut_remainder_off() {
   has_remainder_ = false;
 }
 
-/// Keeps a copy of the damaged file, because another program may be able to read the records after the
-/// damage.
+/// Keeps a copy of the damaged file, because another program may be able to read records after the damage.
 void Journal::keep_damaged() const {
   const fs::path name = path_of_damaged(), beside = name.string() + ".new";
   std::error_code error;

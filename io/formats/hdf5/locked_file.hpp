@@ -41,7 +41,7 @@ void require_usable(const std::filesystem::path& path);
 
 /// Size of a file [bytes]; 0 if the system cannot determine it.
 std::uint64_t size_of(int fd);
-/// Reads `size` bytes of a file from position `place`. Throws FileError on failure, also if the file is too
+/// Reads `size` bytes of a file from position `place`. Throws FileError if that fails or the file is too
 /// short.
 void read_at(int fd, std::uint64_t place, char* to, std::size_t size);
 

@@ -16,8 +16,7 @@ namespace {
 
 fs::path with_suffix(const fs::path& path, const char* suffix) { return path.string() + suffix; }
 
-/// Creates the HDF5 file. Its format bounds stay at "earliest", because readers in browsers do not support
-/// newer formats.
+/// Creates the HDF5 file in the format "earliest", because readers in browsers do not support newer formats.
 Handle create_hdf5(const fs::path& part, const Descriptor& lock) {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   check(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG));

@@ -31,8 +31,8 @@ class Reader {
   std::vector<std::size_t> shape(const std::string& path) const;
   bool holds_reals(const std::string& path) const;
 
-  /// Offset in the file of the numbers of a contiguous dataset [bytes]. Throws FileError if the dataset is
-  /// not contiguous.
+  /// Offset of the numbers of a dataset in the file [bytes]. Throws FileError if the dataset is not
+  /// contiguous.
   std::uint64_t place(const std::string& path) const;
 
   /// All numbers of a dataset, row by row; a scalar gives one number.
@@ -43,7 +43,7 @@ class Reader {
 
   std::string text(const std::string& path) const;
   std::vector<std::string> strings(const std::string& path) const;
-  /// Reads names, which are printed and become lines of files. Throws FileError if a name has control
+  /// Reads names, which will be printed and written into lines of files. Throws FileError if one has control
   /// characters.
   std::vector<std::string> names(const std::string& path) const;
 

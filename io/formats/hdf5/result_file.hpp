@@ -29,8 +29,7 @@ class ResultFile {
   /// Uses `part_path` for the growing file instead of NAME.hdf.part.
   ResultFile(std::filesystem::path final_path, std::filesystem::path part_path);
 
-  /// Begins the grid; must be called once, before the first state. `states` is the number of states that will
-  /// be written.
+  /// Begins the grid; must be called once, before the first state. `states` is the number of states to come.
   void begin(const Mesh& mesh, std::vector<FieldSpec> changing, std::span<const StaticField> fixed = {},
              std::size_t states = 1);
   void begin(const Mesh& mesh, std::vector<FieldSpec> changing, std::initializer_list<StaticField> fixed,

@@ -157,8 +157,7 @@ void SeriesJournal::note_output(const Journal::Record& record, std::string_view 
   resumable_ = outputs_.size();
 }
 
-/// Appends a record. When a run is continued, a record that invalidates the outputs after its checkpoint
-/// comes first.
+/// Appends a record. In a continued run, a record that invalidates outputs after its checkpoint comes first.
 void SeriesJournal::append(std::uint32_t kind, const ByteWriter& content) {
   if (std::exchange(is_to_rewind_, false)) {
     ByteWriter kept;

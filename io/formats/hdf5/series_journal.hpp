@@ -70,8 +70,7 @@ class SeriesJournal {
   SeriesState state(std::size_t i) const;
   /// Like state(), but fields that equal those of the output before are empty.
   SeriesState stored_state(std::size_t i) const;
-  /// For each field and output: whether the output stores the field. If not, the field equals that of the
-  /// previous output.
+  /// Whether each output stores a field (first index). If not, the field equals that of the previous output.
   const std::vector<std::vector<bool>>& stored() const { return stored_; }
   /// The checkpoint of the last output that has one.
   const std::string& checkpoint() const { return checkpoint_; }

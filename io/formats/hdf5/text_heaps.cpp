@@ -25,8 +25,7 @@ std::string bytes_of(int fd, std::uint64_t place, std::uint64_t size) {
   return bytes;
 }
 
-/// Distance from one object to the next [bytes]. Object 0 is the free space, and its size includes its
-/// header.
+/// Distance from one object to the next [bytes]. Object 0 is the free space; its size includes the header.
 std::uint64_t step_of(std::string_view collection, std::uint64_t place) {
   const auto size = number_at<std::uint64_t>(collection, place + 8);
   const bool is_free = number_at<std::uint16_t>(collection, place) == 0;

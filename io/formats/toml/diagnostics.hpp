@@ -40,7 +40,7 @@ class Diagnostics {
   void error(const Place& place, std::string message, std::string hint = {});
   void warning(const Place& place, std::string message, std::string hint = {});
 
-  /// Adds the sources and the messages of `other`. Returns the number by which the indices of its sources
+  /// Adds the sources and messages of `other`. Returns the amount by which the indices of its sources
   /// increase.
   int append(const Diagnostics& other);
   /// A copy with the same sources and without messages.

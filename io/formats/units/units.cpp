@@ -49,8 +49,7 @@ struct Written {
   std::string unit;
 };
 
-/// Splits `text` into a number and the unit after it; returns an error if it does not begin with a finite
-/// number.
+/// Splits `text` into a number and the unit after it. Returns an error if no finite number begins it.
 Quantity split(std::string_view text, const std::string& example, Written& out) {
   std::string_view rest = text;
   if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
@@ -178,8 +177,7 @@ std::string cure(const std::string& unit, const Dimension& got, const Dimension&
   if (should == "a speed" && unit == "kN") return "kN is the kilonewton; the knot is kn";
   if (should == "a speed" && unit == "ms-1") return "ms is the millisecond; write m/s or m s-1";
   if (is == "a pure number" && unit.empty()) return "add a unit, or omit the quotes for an SI number";
-  // UDUNITS takes kph for a kilophot and knt for a kilonit, which have a dimension that no quantity of a
-  // scene has.
+  // UDUNITS takes kph for a kilophot and knt for a kilonit, whose dimension no quantity of a scene has.
   return is == "a quantity" ? proposal(unit, units_like(si_unit)) : "";
 }
 

@@ -228,8 +228,7 @@ class Draughtsman {
     return words_;
   }
 
-  /// The extent of a panel at one height of the sheet, from border to border, with both halves of a middle
-  /// panel.
+  /// The extent of a panel at one height of the sheet, from border to border; a middle panel has both halves.
   Box across_at(const PlacedPanel& placed, double y) const {
     Box box;
     for (const auto& edge : placed.outline.edges) {

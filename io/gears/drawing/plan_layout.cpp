@@ -27,8 +27,7 @@ PanelPoint middle_of(const EdgeSet& set) {
   return {set.is_across_middle() ? 0 : (left + right) / 2, set.edges.front().from.y};
 }
 
-/// The two edges of a seam that align two panels: the aft edge of one panel and a fore edge of the other
-/// panel.
+/// The two edges of a seam that align two panels: the aft edge of one and a fore edge of the other.
 struct Seam {
   EdgeSet aft, fore;
 };
@@ -103,8 +102,7 @@ class Sheet {
     next_ += (1 + kGap) * (right - left);
   }
 
-  /// A panel to be placed unless it is placed already, its position, and the x of its mirror image if it is a
-  /// pair.
+  /// A panel to be placed unless it is placed already, its position, and the x of its mirror image in a pair.
   struct Next {
     const Panel* panel;
     double x, y, mirror_about;

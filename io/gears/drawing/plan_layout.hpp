@@ -7,8 +7,7 @@
 namespace netloft::gears {
 
 /// The position of the outline of a panel on the sheet. A plan is drawn to the scale of stretched length
-/// along the gear and half the stretched width across (ISO 3169). Netting has this width at a hanging ratio
-/// of 0.5.
+/// along the gear and half the stretched width across (ISO 3169), the width at a hanging ratio of 0.5.
 struct PlacedPanel {
   const Panel* panel = nullptr;
   Outline outline;

@@ -10,8 +10,7 @@
 namespace netloft::gears {
 
 /// Thrown for a seam or a panel that cannot be divided into elements: a sentence for the user, and its cure.
-/// Seam and panel are given by index and name, because a plan that is divided has no places in files
-/// (division.hpp).
+/// Seam and panel are given by index and name, because a divided plan has no places (division.hpp).
 class CannotDivide : public std::invalid_argument {
  public:
   static CannotDivide seam(std::size_t join, const std::string& what, std::string cure) {

@@ -15,8 +15,7 @@ class Faces {
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
 
-  /// Returns the representative of all pieces connected with this one, and whether the two show opposite
-  /// faces.
+  /// Returns the representative of the connected pieces, and whether it and `piece` show opposite faces.
   std::pair<std::size_t, bool> root(std::size_t piece) const {
     bool is_turned = false;
     for (; parent_[piece] != piece; piece = parent_[piece]) is_turned = is_turned != is_turned_[piece];

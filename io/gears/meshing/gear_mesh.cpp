@@ -184,10 +184,9 @@ class Divider {
     return std::minmax(tag(c, side[0]), tag(c, side[1]));
   }
 
-  /// Separates triangle sides that are not sewn together but coincide, because they connect the same two
-  /// nodes of the gear, and sides both ends of which are the same node. Such sides occur near sharp corners
-  /// and where seams end in a point. Each of them gets its own node in its middle. Returns whether there were
-  /// such sides.
+  /// Separates triangle sides that coincide without being sewn together, because they connect the same two
+  /// nodes of the gear, and sides whose two ends are the same node. Such sides occur near sharp corners and
+  /// where seams end in a point. Each of them gets a node in its middle. Returns whether there were any.
   bool part_doubled_sides() {
     std::map<std::pair<Tag, Tag>, int> times;
     for (const auto& nodes : line_nodes_)

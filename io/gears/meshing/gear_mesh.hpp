@@ -32,8 +32,7 @@ struct PanelMesh {
   std::map<std::string, std::vector<std::uint32_t>> sets;
 };
 
-/// A rope divided into bars, from its start to its end. Its nodes are numbered from 0, and node i ends bar
-/// i-1.
+/// A rope divided into bars, from its start to its end. Its nodes are numbered from 0; node i ends bar i-1.
 struct RopeMesh {
   std::vector<std::uint32_t> nodes;  // for each node of the rope: its number in the gear
   std::vector<double> rest_lengths;  // unstretched lengths of the bars [m]; their sum is the rope's length

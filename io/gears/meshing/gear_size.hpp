@@ -19,8 +19,7 @@ double size_for(const Gear& gear, const Fineness& fineness);
 /// The shortest bar of all panels [m]: the size of other elements if every knot is a node.
 double shortest_bar(const Gear& gear);
 
-/// Throw std::invalid_argument, with a sentence for the user, if the mesh would have more than kMostNodes
-/// nodes.
+/// Throw std::invalid_argument, with a sentence for the user, for a mesh of more than kMostNodes nodes.
 void check_knots(const Gear& gear);
 void check_size(const Gear& gear, const Fineness& fineness);
 

@@ -44,8 +44,8 @@ bool turns(const Gear& gear, const Seam& seam, const EdgeRef& one, const EdgeRef
   return (a == b && is_lateral(a)) != (comes_back(one) != comes_back(other));
 }
 
-/// Number of meshes outwards: from the middle in a panel across the middle, otherwise from the start of the
-/// inner side.
+/// Number of meshes outwards: from the middle if the panel lies across it, else from the start of the inner
+/// side.
 double outwards(const GearPanel& panel, double U) {
   return panel.panel->stands == Standing::middle ? std::abs(U) : U;
 }

@@ -126,8 +126,7 @@ class LineMaker {
     }
   }
 
-  /// Neighbours along a seam show the same face outwards if their borders run along it in opposite
-  /// directions.
+  /// Neighbours show the same face outwards if their borders run along their seam in opposite directions.
   void state_faces(const SewnRows& seam, const DirectedSide& a, const DirectedSide& b) {
     const std::size_t one = cloths_.sides[a.side].cloth, other = cloths_.sides[b.side].cloth;
     if (!all_.faces.state(one, other, a.is_forward == b.is_forward)) refuse_twist(seam, one, other);

@@ -19,8 +19,7 @@ struct Knot {
   std::size_t point = 0;
 };
 
-// Sides count as neighbours along a seam only if at least this fraction of the shorter one lies beside the
-// other.
+// Sides are neighbours along a seam only if at least this fraction of the shorter one lies beside the other.
 constexpr double kBeside = 0.1;
 
 /// The way in which the rows of a seam run.
@@ -78,8 +77,7 @@ class Sewer {
     }
   }
 
-  /// Adds all seams. Those that can run in only one way come first; the others then run so that the faces
-  /// agree.
+  /// Adds all seams. Those that can run in only one way come first: they fix the faces for the others.
   void add_seams() {
     Faces faces(cloths_.cloths.size());
     for (const auto& halves : borders_.seams) state_faces(halves.rows, faces);
@@ -197,8 +195,7 @@ class Sewer {
   }
 
   /// In a row round the net, reverses the edges of every side panel whose outer side is sewn to the panel
-  /// before it, so that these edges run inwards. Begins at the first panel across the middle and goes in both
-  /// directions.
+  /// before it, so that they run inwards. Begins at the first panel across the middle, in both directions.
   void turn_side_panels(Row& row) const {
     const auto first = std::find_if(row.begin(), row.end(),
                                     [&](const auto& s) { return panel_of(s).stands == Standing::middle; });
@@ -245,8 +242,8 @@ class Sewer {
     }
   }
 
-  /// The sorting key of a side in a row: port sides come first if the row runs to starboard, then the
-  /// position decides.
+  /// The sorting key of a side in a row: if the row runs to starboard, port sides come first; then the
+  /// position.
   std::pair<bool, double> position(const DirectedSide& s, Way way) const {
     const ClothSide& c = side(s);
     const double along = c.is_across() ? c.from.x + c.to.x : (way.sides_aft ? 1 : -1) * (c.from.y + c.to.y);

@@ -191,8 +191,7 @@ class Shaper {
     }
   }
 
-  /// Places ropes beside the netting: straight between two placed nodes, or straight forward from one placed
-  /// node.
+  /// Places ropes beside the netting: straight between two placed nodes, or straight forward from one.
   void put_ropes() {
     const auto leads = find_leads();
     for (const auto& k : known_) complete(k.node);

@@ -135,8 +135,7 @@ class Filler {
         mesh_.triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
   }
 
-  /// Marks the triangles inside the border: those that cannot be reached from outside without crossing the
-  /// border.
+  /// Marks the triangles inside the border, which cannot be reached from outside without crossing it.
   void mark_inside() {
     for (const auto f : cdt_.all_face_handles()) f->set_in_domain(true);
     std::vector<Triangulation::Face_handle> outside{cdt_.infinite_face()};

@@ -20,8 +20,7 @@ struct PlaneMesh {
 /// Throws std::invalid_argument if the border crosses itself.
 PlaneMesh triangulate(const std::vector<PlanePoint>& border, double size);
 
-/// Connects a border and given inner points by a Delaunay triangulation; corners are divided as in
-/// triangulate().
+/// Connects a border and given inner points (Delaunay); corners are divided as in triangulate().
 PlaneMesh connect_points(const std::vector<PlanePoint>& border, const std::vector<PlanePoint>& inside);
 
 enum class Smoothing { none, all };

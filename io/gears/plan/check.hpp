@@ -22,8 +22,7 @@ struct CheckLimits {
 
 /// Checks whether the net can be sewn: the cuttings agree with the counts, sewn edges fit each other, ropes
 /// are long enough, everything is connected. Errors go to the diagnostics, each with its place and the likely
-/// cure. If the text of a cutting is not a valid rate, the rate that it probably means replaces it for the
-/// remaining checks.
+/// cure. If a cutting is not a valid rate, the remaining checks use the rate that it probably means.
 void check_plan(NetPlan& plan, formats::Diagnostics& diagnostics, const CheckLimits& limits = {});
 
 // These functions are the parts of check_plan.
@@ -41,7 +40,8 @@ void check_open_edges(const NetPlan& plan, formats::Diagnostics& diagnostics);
 /// no rope may lead from a point to itself. The plan must be free of errors.
 void check_spans(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 
-/// Numbers as net makers write them: 25.8 meshes, 12.35 m, +1.7 %; without the unit for meshes and metres.
+/// Numbers as net makers write them, such as 25.8 meshes, 12.35 m and +1.7 %. The first two texts have no
+/// unit.
 std::string in_meshes(double meshes);
 std::string in_metres(double metres);
 std::string in_percent(double fraction);

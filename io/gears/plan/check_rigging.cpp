@@ -172,8 +172,7 @@ void check_hanging(const Hanging& hanging, const EdgeSet& edge, const std::strin
         "a hanging ratio is rarely below 0.3; the length may be that of one part of the edge");
 }
 
-/// Refuses an edge that exists twice on a rope that exists once, and an edge that exists once on a pair of
-/// ropes.
+/// Refuses an edge that exists twice on a single rope, and an edge that exists once on a pair of ropes.
 void check_times(const Hanging& h, const EdgeSet& edge, const Rope& rope, const std::string& path,
                  formats::Diagnostics& diagnostics) {
   const bool is_twice = edge.times() == 2;
@@ -258,8 +257,7 @@ void check_end(const NetPlan& plan, const Rope& rope, const std::string& end,
         "on both sides");
 }
 
-/// Refuses a pair of ropes that both lead to the same point of a middle body if this point is not in the
-/// middle.
+/// Refuses a pair of ropes that both lead to one point of a middle body, unless the point is in the middle.
 void check_end_aside(const NetPlan& plan, const Rope& rope, const std::string& end,
                      formats::Diagnostics& diagnostics) {
   const auto dot = end.find('.');

@@ -90,8 +90,7 @@ void say_too_short(const GearPoint& a, const GearPoint& b, double length, format
                     "give `at` in metres, x aft, y to starboard, z up, or lengthen the ropes");
 }
 
-/// Refuses a rope that begins and ends at the same point and has no edge hung on it: it would be a loose
-/// loop.
+/// Refuses a loose loop: a rope that begins and ends at the same point and has no edge hung on it.
 void check_loops(const Gear& gear, const RopeWays& ways, formats::Diagnostics& diagnostics) {
   for (const auto& rope : gear.ropes) {
     if (!rope.hung.empty() || rope.is_mirrored) continue;

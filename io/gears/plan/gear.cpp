@@ -29,8 +29,7 @@ bool crosses_middle(const OutlineEdge& edge) {
   return lies_across && (edge.from.x == 0 || edge.to.x == 0);
 }
 
-/// The outline of both halves of a middle panel: from port across the fore edge, aft on the starboard side,
-/// and back.
+/// The outline of both halves of a middle panel: along the fore edge from port to starboard, aft, and back.
 Outline both_halves(const Outline& half) {
   std::vector<OutlineEdge> starboard, port;
   for (const auto& edge : half.edges) {

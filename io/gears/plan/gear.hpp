@@ -35,16 +35,14 @@ struct GearPanel {
   std::array<double, 3> sketched(PanelPoint point) const;
 };
 
-/// Refers to an edge of a panel, by the index of the panel in Gear::panels and that of the edge in its
-/// outline.
+/// An edge of a panel: the index of the panel in Gear::panels, and that of the edge in its outline.
 struct EdgeRef {
   std::size_t panel = 0, edge = 0;
   bool operator==(const EdgeRef&) const = default;
 };
 
 /// Edges that are sewn together, one or more on each side of the seam. Both sides become one line of knots,
-/// whatever their division. Edges keep the direction of their outlines, so that opposite edges may run in
-/// opposite directions.
+/// whatever their division. Edges keep the direction of their outlines, which may differ across the seam.
 struct Seam {
   std::array<std::vector<EdgeRef>, 2> edges;
   double take_up = 0;  // meshes of the second side per mesh of the first; 0: mesh to mesh

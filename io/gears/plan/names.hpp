@@ -15,8 +15,7 @@ struct EdgeSet {
   double meshes() const;
   /// Length of the straight twines along the edges [m], counted like meshes().
   double stretched() const;
-  /// How often the edges exist in the whole gear: once across the middle or in a single panel, otherwise
-  /// twice.
+  /// How often the edges exist in the whole gear: once across the middle or in a single panel, else twice.
   int times() const;
   bool is_side() const;
   /// Whether the edges lie across the plane of symmetry.

@@ -219,8 +219,7 @@ struct PlanBody {
   const BodyPoint* find_point(const std::string& point) const;
 };
 
-/// The speed and heading of a ship at a time. Both are linear between the times, and constant after the last
-/// time.
+/// Speed and heading of a ship at a time; linear between the times, and constant after the last one.
 struct ShipMoment {
   double t;        // [s]
   double speed;    // speed over the ground [m/s]

@@ -114,8 +114,7 @@ std::vector<PanelPoint> side_corners(const std::vector<Cut>& side, double x0, do
   return corners;
 }
 
-/// Draws a side. The length of each edge is that of the cut as stated, not that of the line between the
-/// corners.
+/// Draws a side. The length of an edge is that of its cut as stated, not that of the line between corners.
 void draw_side(Pen& pen, const Panel& panel, const std::vector<PanelPoint>& corners, EdgeKind kind) {
   const bool forward = kind == EdgeKind::inner;
   const auto& side = forward ? panel.inner : panel.outer;

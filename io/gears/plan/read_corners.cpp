@@ -82,8 +82,8 @@ class CornerReader {
     return sum / 2;
   }
 
-  /// Reorders the corners as in outlines: beginning at the inner end of the fore edge, and going outwards
-  /// along it.
+  /// Reorders the corners as in outlines, which begin at the inner end of the fore edge and follow it
+  /// outwards.
   void turn_to_fore() {
     if (std::abs(area()) < kSame) return fail("enclose no netting", "give them in a row round the panel");
     if (area() < 0) {
@@ -141,11 +141,11 @@ class CornerReader {
     side.push_back(std::move(cut));
   }
 
-  /// 1 for the outer side, because the panel becomes wider where this side goes outwards; -1 for the inner
-  /// side.
+  /// Returns 1 for the outer side, which goes outwards where the panel becomes wider; -1 for the inner side.
   double side_sign(const std::vector<Cut>& side) const { return &side == &panel_.outer ? 1 : -1; }
 
-  /// Removes the middle line of a middle panel. Its corners enclose one half, of which this line is no edge.
+  /// Removes the middle line of a middle panel. The corners of such a panel enclose one half; the line is no
+  /// edge.
   void leave_out_middle() {
     const bool is_straight = panel_.inner.size() == 1 && panel_.inner[0].across == 0;
     const bool is_on_middle = std::abs(corners_.front().across) < kSame;

@@ -13,9 +13,8 @@ namespace netloft::gears {
 NetPlan read_plan(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                   formats::Diagnostics& diagnostics);
 
-/// Whether a document contains a plan, which has panels. A document that has other tables of a plan, but no
-/// panels, counts as a plan whose panels are missing, unless it is a scene made of parts. `root` is its root
-/// table.
+/// Whether the root table of a document contains a plan, which has panels. A document that has other tables
+/// of a plan, but no panels, counts as a plan whose panels are missing, unless it is a scene made of parts.
 bool holds_plan(const formats::Value& root);
 
 /// The tables of a scene on which its plan depends. Other tables, the keys of `[gear]` for the division into

@@ -50,7 +50,7 @@ bool is_taken(const NetPlan& plan, const std::string& name, const Join& join,
   return rope || is_written;
 }
 
-/// Adds a rope along an edge. It is as long as the straight twines of the edge, so it is slack until they are
+/// Adds a rope along an edge. It is as long as the straight twines of the edge, and slack until they are
 /// straight.
 void add_strip(NetPlan& plan, const EdgeSet& set, const OutlineEdge& edge, const Join& join,
                formats::Diagnostics& diagnostics) {

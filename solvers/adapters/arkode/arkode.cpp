@@ -19,8 +19,7 @@ namespace {
 using namespace sundials;
 
 /// A method table of ARKODE, and the power of the step h to which the error (4) of arkode.hpp is
-/// proportional: (4) is the difference of two formulas, and the power is one more than the lower of their
-/// orders.
+/// proportional. (4) is the difference of two formulas; the power is one more than the lower of their orders.
 struct Method {
   ARKODE_DIRKTableID table;
   double error_order;

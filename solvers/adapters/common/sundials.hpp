@@ -12,8 +12,8 @@
 // Shared by the adapters to SUNDIALS: owners of its objects, and the return values of callbacks.
 namespace netloft::sundials {
 
-/// Return values of callbacks. After a positive value SUNDIALS tries a shorter step, after a negative one it
-/// stops.
+/// Return values of callbacks: SUNDIALS tries a shorter step after a positive value, and stops after a
+/// negative one.
 enum { kDone = 0, kRecoverable = 1, kStop = -1 };
 
 /// Runs a callback on its host. No exception may pass through SUNDIALS; `failure` of the host stores it.

@@ -35,8 +35,7 @@ class LeastSquaresOfWeights {
   }
 
  private:
-  /// Returns the index of the weight whose increase reduces the distance most, or -1 if no increase reduces
-  /// it.
+  /// Returns the index of the weight whose increase reduces the distance most, or -1 if none reduces it.
   Index steepest(const Vector& residual) const {
     const Vector slope = a_.transpose() * residual;
     Index best = -1;

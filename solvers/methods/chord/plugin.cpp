@@ -30,8 +30,7 @@ struct Chord {
 
 namespace {
 
-// Range of μ. Damping never needs to exceed the linear stiffness by much, and a μ below the range has no
-// effect.
+// Range of μ: damping never needs to exceed the linear stiffness by much, and a smaller μ has no effect.
 constexpr double kLargestDamping = 64, kSmallestDamping = 1e-8, kFirstDamping = 1e-3;
 constexpr double kDampingToKeep = 1e-5;  // a factor with more damping converges too slowly to be kept
 
@@ -60,8 +59,7 @@ class Chords {
   }
 
  private:
-  /// Solves with the kept factor if (3) allows it. Returns false if there is no factor, or if the factor must
-  /// be renewed.
+  /// Solves with the kept factor if (3) allows it. Returns false if no factor is kept or it must be renewed.
   bool keep_factor() {
     if (is_worn_ || !problem_.try_solve(r_, s_)) return false;
     is_fresh_ = false;
@@ -96,8 +94,7 @@ class Chords {
     return decrement_ > 0;
   }
 
-  /// Searches t by (2), with a single trial if the factor is old. Returns false, with u unchanged, if no t is
-  /// found.
+  /// Searches t by (2), with one trial if the factor is old. Returns false and keeps u if no t is found.
   bool search_line() {
     double low = 0, high = 0, at_low = -decrement_, at_high = 0;
     for (double t = 1; t - low >= p_.shortest_step;) {

@@ -43,8 +43,7 @@ struct DescentSearch {
   }
 
  private:
-  /// The sample for a t at which forces are undefined. Its slope is chosen such that the secant halves the
-  /// bracket.
+  /// The sample for a t at which forces are undefined; with its slope, the secant halves the bracket.
   static Sample as_steep_uphill(double t, const Sample& low) { return {t, low.value, -low.slope}; }
 };
 

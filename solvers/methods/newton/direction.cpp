@@ -28,8 +28,7 @@ Direction Directions::find(Iterate& iterate, double damping) {
                                        : find_unsymmetric(iterate, damping);
 }
 
-/// Finds a step for a symmetric K, for which Cholesky's factorisation shows whether K + μ M is positive
-/// definite.
+/// Finds a step for a symmetric K. Cholesky's factorisation shows whether K + μ M is positive definite.
 Direction Directions::find_symmetric(Iterate& iterate, double damping) {
   const Factor factor = iterate.problem().factorise(Matrix::exact, damping);
   if (factor == Factor::ok) {

@@ -71,9 +71,8 @@ class Globalised {
     return step;
   }
 
-  /// Moves along negative curvature, (6) of newton.hpp, after a step by K + σ M, whether that step was
-  /// accepted or not. The factor is that of the point before the step; the direction changes little over the
-  /// step.
+  /// Moves along negative curvature, (6) of newton.hpp, after a step by K + σ M, even if that step was not
+  /// accepted. The factor is that of the point before the step, because the direction changes little over it.
   bool leave_saddle(double sigma) {
     const auto v = curvature_.find_direction(iterate_.problem(), sigma);
     return v && curvature_.leave_along(*v, iterate_);

@@ -43,8 +43,7 @@ class Iterate {
   bool promises_round_off(const Path& path) const;
   std::size_t count() const { return count_; }
 
-  /// Evaluates at u and stores the tangent if `matrix` requests it. Returns false if forces are undefined at
-  /// u.
+  /// Evaluates at u and stores the tangent if `matrix` requests it. Returns false where forces are undefined.
   bool evaluate(Matrix matrix = Matrix::exact);
   /// Computes the forces without an energy at u, d = r − g, which the merit needs; g is the gradient of E.
   bool split_residual();
@@ -54,9 +53,9 @@ class Iterate {
   void solve(std::span<double> s);
   /// Returns r at u(t), or nullopt if forces are undefined there.
   std::optional<std::span<const double>> residual_at(const Path& path, double t);
-  /// Returns the merit m(t), (3) of newton.hpp, and its derivative. Forces at the last trial point are kept,
-  /// so that a second call for it, or a step to it, does not evaluate them again. Call split_residual()
-  /// first.
+  /// Returns the merit m(t), (3) of newton.hpp, and its derivative; call split_residual() first. Forces at
+  /// the last trial point are kept, so that a second call for it, or a step to it, does not evaluate them
+  /// again.
   std::optional<Sample> merit(const Path& path, double t);
   /// Moves u to u(t) and evaluates the tangent there. If forces are undefined at u(t), returns false and
   /// leaves u and the tangent unchanged.

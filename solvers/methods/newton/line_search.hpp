@@ -12,8 +12,7 @@ struct Sample {
   double t = 0, value = 0, slope = 0;
 };
 
-/// Least step t that is tried, the square root of the machine's epsilon. Below it, half of the digits of u do
-/// not change.
+/// Least step t that is tried, the square root of the machine's epsilon: it alters half of the digits of u.
 inline constexpr double kShortest = 0x1p-26;
 /// Step t for second derivatives of r by differences. The square root of kShortest balances the rounding of r
 /// and the error of the difference.

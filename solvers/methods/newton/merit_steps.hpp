@@ -35,8 +35,8 @@ class CurvedStep {
 /// watchdog technique (Chamberlain et al. 1982, Math. Programming Study 16), but without its return to the
 /// point before. The sum of all decreases of m shows whether m is as low as it has ever been: after a step
 /// that raised m, no other step may raise it until the sum has recovered. Otherwise, netting on a bed with
-/// friction would circle its equilibrium. (5) excludes steps longer than an element, whose −r·s is so large
-/// that it would allow any rise. (8) is tried if all forces have an energy, K is symmetric and (4) finds no t
+/// friction would circle its equilibrium. (5) excludes steps longer than an element: their −r·s is so large
+/// that it would allow any rise. (8) is tried if all forces have an energy, K is symmetric and (4) rejects t
 /// = 1.
 class MeritSteps {
  public:

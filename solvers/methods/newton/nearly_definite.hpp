@@ -11,8 +11,7 @@
 namespace netloft::newton {
 
 /// Finds σ for a tangent K that is nearly definite: K is indefinite, but K + σ M is positive definite with a
-/// σ between `least_damping` and kMatters, the least stiffness that matters relative to the linear stiffness
-/// M.
+/// σ from `least_damping` to kMatters, the least stiffness that matters relative to the linear stiffness M.
 class NearlyDefinite {
  public:
   explicit NearlyDefinite(const DampingRange& range) : range_(range), sigma_(range.least) {}

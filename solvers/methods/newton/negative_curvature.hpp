@@ -10,8 +10,7 @@
 namespace netloft::newton {
 
 /// Leaves a saddle along the direction of the most negative curvature, (6) of newton.hpp (J. J. Moré and D.
-/// C. Sorensen, Math. Programming 16, 1979). All forces must have an energy. No node moves farther than
-/// 1/`margin` elements.
+/// C. Sorensen, Math. Programming 16, 1979), at most 1/`margin` elements far. All forces must have an energy.
 class NegativeCurvature {
  public:
   /// Reserves memory for the directions. Only a search fills it.

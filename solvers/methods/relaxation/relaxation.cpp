@@ -88,8 +88,7 @@ class Motion {
     kinetic_ = {kinetic_[1], kinetic_[2], 0.5 * sum};
   }
 
-  /// Starts by (2): half an acceleration gives the velocity of half a step, as if the motion were reversed at
-  /// u.
+  /// Starts by (2) with half an acceleration, as if the motion were reversed at u.
   void start_from_rest() {
     std::copy(problem_.u().begin(), problem_.u().end(), rest_.begin());
     double sum = 0;

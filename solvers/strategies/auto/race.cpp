@@ -16,9 +16,8 @@ namespace {
 /// The growth g of slices in (1) of race.hpp. This value minimises the bound on the cost given there.
 constexpr double kGrowth = 2;
 
-/// Limit of iterations with compensated positions (positions with additional digits). The limit leaves work
-/// for other attempts: of 144 gears in round_off_test.cpp, 140 converge without a limit, 140 with 8 and 143
-/// with 20.
+/// Limit of iterations with compensated positions, which have additional digits. It leaves work for other
+/// attempts: of 144 gears in round_off_test.cpp, 140 converge without a limit, 140 with 8, 143 with 20.
 constexpr unsigned kStepsAtRoundOff = 20;
 
 /// Perturbation with which a stationary point is left, as a fraction of the element size. Equilibria closer
@@ -113,8 +112,7 @@ Stage Race::off_saddle(Stage stage, const Budget& budget) {
   return stage;
 }
 
-/// Returns the index of an unstable equilibrium among those that this race has met, after adding it if it is
-/// new.
+/// Returns the index of an unstable equilibrium among those that this race has met; adds it if it is new.
 std::size_t Race::find_saddle(Stage stage) {
   const auto found = std::find_if(saddles_.begin(), saddles_.end(), [&](const Saddle& known) {
     return is_one_place(search_, known.stage.u, stage.u);

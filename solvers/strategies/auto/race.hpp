@@ -53,8 +53,7 @@ class Race {
     Fate fate = Fate::again;
   };
 
-  /// An unstable equilibrium, and for each of its two sides whether it has led to an end that more work does
-  /// not change.
+  /// An unstable equilibrium. is_tried: whether a side has led to an end that more work does not change.
   struct Saddle {
     Stage stage;
     std::array<bool, 2> is_tried{};

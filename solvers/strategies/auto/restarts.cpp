@@ -16,8 +16,7 @@ double borne_by_compression(Search& search, const Stage& at) {
   return search.assess({.name = "what is in compression", .variant = {.compression = 0}}, at.u).imbalance();
 }
 
-/// Whether other equilibria are possible. Compression that bears less than kOnlyAStart of the load counts as
-/// none.
+/// Whether other equilibria are possible. Compression below kOnlyAStart of the load counts as none.
 bool may_have_other_shapes(Search& search, const Options& options, const Stage& at) {
   return may_restart(search, options) &&
          (options.everywhere || borne_by_compression(search, at) > kOnlyAStart);

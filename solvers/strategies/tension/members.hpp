@@ -28,9 +28,8 @@ struct Line {
   double f, a, b;
 };
 
-/// netloft_members with C++ types: the members of a scene, which are straight lines that bear tension, and
-/// all other forces r(u). A member has the force vector f, and the number n and coefficients c of
-/// netloft_member.
+/// netloft_members with C++ types: the members of a scene, straight lines that bear tension, and all other
+/// forces r(u). A member has the force vector f, and the number n and coefficients c of netloft_member.
 class Members {
  public:
   explicit Members(netloft_members& m) : m_(m) {}
@@ -64,8 +63,7 @@ class Members {
   }
   /// Sets the matrix to the tangent of r plus Σ n c cᵀ K over all members. `K` has the stiffness of each.
   void set_matrix(const std::vector<Block>& K) { check(m_.set_matrix(m_.host, K.data()->data())); }
-  /// Sets the matrix from the stiffness K of each member in `lines`, and adds the forces of `lines` to the
-  /// residual.
+  /// Sets the matrix from the stiffness K of each member in `lines`, and adds their forces to the residual.
   void set_matrix(const std::vector<Line>& lines, std::vector<double>& residual) {
     static_assert(sizeof(Line) == 6 * sizeof(double));
     check(m_.set_matrix_along(m_.host, lines.data()->t.data(), residual.data()));

@@ -19,8 +19,7 @@ inline Point mirrored(const Point& x) { return {x[0], -x[1], -x[2], -x[3]}; }
 
 inline double length(const Point& x) { return std::sqrt(x[1] * x[1] + x[2] * x[2] + x[3] * x[3]); }
 
-/// Returns x₀² − ‖x̄‖², which is positive inside K, as a product that keeps its digits near the boundary of
-/// K.
+/// Returns x₀² − ‖x̄‖², positive inside K, as a product that keeps its digits near the boundary of K.
 inline double determinant(const Point& x) { return (x[0] - length(x)) * (x[0] + length(x)); }
 
 /// Returns a ∘ b = (a·b, a₀ b̄ + b₀ ā).
