@@ -64,7 +64,7 @@ struct Otter {
     static Wrench<T> force(const Parameters& p, const Data&, const Whole& whole, const Body<T>& b);
   };
 
-  /// The flow past the origin in the axes of the board, y outward, with its angles (1).
+  /// The flow past the origin: its direction in the axes of the board (y outward), its speed, its angles (1).
   struct Flow {
     Vec3<double> w;  // unit vector
     double speed = 0, attack = 0, sideslip = 0;
@@ -177,7 +177,7 @@ Wrench<T> Otter::Force::force(const Parameters& p, const Data& d, const Whole& w
 
 namespace detail {
 
-/// The dependence f of ploughing on depth, (5); `depth` is δ/0.1 m, above zero.
+/// The factor f of ploughing by (5). `depth` is δ/0.1 m, the depth of the edge in the ground, above zero.
 template <class T>
 T resistance(const T& depth, double power) {
   using std::pow;

@@ -40,7 +40,8 @@ struct Front {
   struct Whole {
     double triangles = 0;
   };
-  /// The mean I of (4) for one triangle, and its derivatives w with respect to the distances of the corners.
+  /// The mean I of (4) for one triangle, and its derivatives w with respect to the distances s of the
+  /// corners.
   template <class T>
   struct Behind {
     T I{};
@@ -62,7 +63,7 @@ struct Front {
   };
 };
 
-/// Computes I and w by (8). Corner `a` is alone on its side of the plane.
+/// Computes I and w by (8) of Front. Corner `a` is alone on its side of the plane.
 template <class T>
 Front::Behind<T> corner_behind(const std::array<T, 3>& s, std::size_t a) {
   const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;

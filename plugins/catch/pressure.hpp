@@ -52,15 +52,15 @@ struct Pressure {
   struct Whole {
     double triangles = 0, length = 0;  // length: largest s [meshes]
   };
-  /// The filled fractions φ_i of (5) in one triangle, and their derivatives with respect to m.
+  /// The filled fractions φ_i of (5) at the corners of one triangle, and their derivatives with respect to m.
   struct Fraction {
     std::array<double, 3> at{}, slope_at{};
     double value() const { return at[0] + at[1] + at[2]; }
     double slope() const { return slope_at[0] + slope_at[1] + slope_at[2]; }
   };
 
-  /// Throws std::invalid_argument if neither pressure nor speed is given, if both or neither of `meshes` and
-  /// `volume` are given, or if there is a growth without a volume.
+  /// Throws std::invalid_argument unless a pressure or a speed is given, and either `meshes` or `volume`. A
+  /// growth must have a volume.
   static void check(const Parameters& p, const Data& d);
   /// Throws std::invalid_argument if more meshes are filled than the netting has along its length.
   static void check_whole(const Parameters& p, const Whole& whole);

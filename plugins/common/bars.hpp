@@ -61,7 +61,8 @@ inline void mass_of(const Lanes& p, const netloft_tile& t, double* values) {
   for (std::size_t i = 0; i < t.count; ++i) values[i] = p.density[i] * p.volume[i];
 }
 
-/// Adds [ A −A; −A A ] to the tangent of a bar, a packed lower triangle. `A` has six numbers per element.
+/// Adds [ A −A; −A A ] to the tangent of a bar, which is a packed lower triangle. `A` is the symmetric
+/// stiffness of each element, six numbers.
 inline void add_blocks(const double (&A)[6][kLanes], std::uint32_t count, double* __restrict tangent) {
   int entry = 0;
   for (int r = 0; r < 6; ++r)

@@ -16,7 +16,7 @@ inline double entry(const double* field, int row, std::size_t lane) {
 /// Index of (node p, axis r; node q, axis c) in a full tangent.
 constexpr int place(int p, int r, int q, int c) { return 6 * (3 * p + r) + 3 * q + c; }
 
-/// Fills in the arguments of a law of drag: W and t of (3), and the diameter.
+/// Fills in the arguments of a law of drag: W and t by (3) of bars.hpp, and the diameter.
 inline void fill_flow(const Lanes& p, const Chords& chord, const netloft_tile& t, FlowLanes& flow) {
   const double *current = t.current, *v = t.v;
   const std::size_t count = t.count;

@@ -21,7 +21,7 @@ struct Cube {
   double dry(double z) const { return side > 0 ? std::clamp(0.5 + z / side, 0.0, 1.0) : 0; }
   /// Derivative of the dry fraction 1 − w with respect to z [1/m].
   double slope(double z) const { return 2 * std::abs(z) < side ? 1 / side : 0; }
-  /// Integral of the dry fraction 1 − w over the height, up to z [m].
+  /// Integral of the dry fraction 1 − w over the height, from below up to z [m].
   double dry_height(double z) const {
     const double emerged = std::clamp(z + 0.5 * side, 0.0, side);
     return side > 0 ? 0.5 * emerged * emerged / side + std::max(z - 0.5 * side, 0.0) : 0;
@@ -44,7 +44,7 @@ bool is_wet(const Lanes& p, const netloft_tile& t, int node, std::size_t i) {
   return p.surface[i] == 0 || (!(z > 0) && !(8 * -z * z * z < p.volume[i] / N));
 }
 
-/// Whether all nodes of a tile are under water, so that (2) and (3) are zero, as they are in most tiles.
+/// Whether all nodes of a tile are under water. The losses (2) and (3) are then zero, as in most tiles.
 template <int N, class Lanes>
 bool is_wet(const Lanes& p, const netloft_tile& t) {
   for (int node = 0; node < N; ++node)
@@ -68,7 +68,7 @@ struct Drag {
     inner.tangent = t.tangent ? tangent : nullptr;
     return inner;
   }
-  /// Adds (2) for a node. `dry` is σ (1 − w), `slope` its derivative with respect to z.
+  /// Adds the lost drag (2) for a node. `dry` is σ (1 − w), `slope` its derivative with respect to z.
   void take_from(netloft_tile& t, int node, std::size_t lane, double dry, double slope) const {
     for (int axis = 0; axis < 3; ++axis) {
       const int row = 3 * node + axis;
@@ -81,7 +81,7 @@ struct Drag {
   }
 };
 
-/// Adds (2). `drag_of(tile)` adds the drag of the elements as if they were under water.
+/// Adds the lost drag (2). `drag_of(tile)` adds the drag of the elements as if they were under water.
 template <int N, class Lanes, class UnderWater>
 Status take_dry_drag(const Lanes& p, netloft_tile& t, UnderWater&& drag_of) {
   if (is_wet<N>(p, t)) return Status::ok;

@@ -36,7 +36,8 @@ struct ScreenCoefficients {
   T drag, lift;  // coefficients C_D and λ
 };
 
-/// C_D of LolandModel at normal incidence, θ = 0. The model of the wake, (14), uses it too.
+/// Løland's C_D of a screen of the solidity S at normal incidence. The wake (14) of a screen depends on it,
+/// too.
 template <class T>
 T loland_drag(const T& S) {
   return S * (0.33 + S * (6.54 - 4.88 * S));
@@ -62,7 +63,7 @@ T held(const T& x, double lo, double hi, double d) {
   return T(hi);
 }
 
-/// The solidity, limited to `hi` because none of the formulas was measured with denser netting.
+/// Limits the solidity to `hi`, because none of the formulas was measured with denser netting.
 template <class T>
 T held_solidity(const T& S, double hi) {
   return held(S, -1, hi, 0.02);

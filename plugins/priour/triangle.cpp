@@ -163,7 +163,8 @@ void fill_stiffness(const Triangle::Lanes& p, const Stretched& s, double cu, boo
   }
 }
 
-/// Adds block (P, Q) of the tangent (6), a_p a_q A_U + b_p b_q A_V, to the packed lower triangle.
+/// Adds block (P, Q) of the tangent (6) of triangle.hpp, a_p a_q A_U + b_p b_q A_V, to the packed lower
+/// triangle.
 template <int P, int Q>
 void add_block(const Triangle::Lanes& p, const Blocks& U, const Blocks& V, std::uint32_t count,
                double* __restrict tangent) {

@@ -78,7 +78,7 @@ struct Triangle {
 
   /// The stiffness H of opening.hpp (1) [N·m/rad], as given or from the bending stiffness of the twines.
   static double opening_stiffness(const Parameters& p, const Data& d);
-  /// c_k of knot_contact.hpp (1), the cosine of the angle between the twines when knots touch.
+  /// The cosine c_k of the angle between the twines when knots touch, (1) of knot_contact.hpp.
   static double touching_cosine(const Parameters& p, const Data& d);
 
   static void check(const Parameters&, const Data& d);

@@ -37,13 +37,13 @@ struct Bar {
 
   /// The factor σ of (2) on the length of the rope.
   static double factor_at(const netloft_table& table, double time);
-  /// The relative rate at which the rope becomes longer, (dσ/dt)/σ [1/s]. At the time of a row of the table,
-  /// the rate is that of the segment before the row.
+  /// The relative rate at which the rope becomes longer, (dσ/dt)/σ [1/s]. If the time is that of a row of the
+  /// table, the rate is that before the row.
   static double growth_at(const netloft_table& table, double time);
   /// Returns the numbers of the bars at the time of the tile: `lanes` itself if no rope changes its length,
   /// otherwise `room`, filled with the lengths (2).
   static const Lanes& now(const Lanes& lanes, const netloft_tile& t, Lanes& room);
-  /// The density for the weight of a rope [kg/m3]: (3), or `density` if no weight in water is given.
+  /// The density that gives the weight of a rope [kg/m3]: (3), or `density` if no weight in water is given.
   static double density_by_weight(double weight_in_water, double density, double diameter,
                                   double water_density, double gravity);
 

@@ -57,7 +57,7 @@ struct Plane {
     double h, slope;
   };
   static Slip slip(double speed, double creep);
-  /// c/|g| of (9): friction reaches its limit at this fraction of the velocity of the ground.
+  /// The ratio c/|g| of (9): friction reaches its limit at this fraction of the velocity of the ground.
   static constexpr double kCreep = 0.01;
   /// Relative rounding error of positions after the few sums of (1) to (4).
   static constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();

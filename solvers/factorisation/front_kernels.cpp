@@ -55,7 +55,8 @@ NETLOFT_INLINE void subtract_columns(std::ptrdiff_t m, std::ptrdiff_t k, const d
     subtract_tile<Register, kColumns>(k, a + i, lda, b, c + i, ldc);
 }
 
-/// Computes C ← C − A B for C of m × n and A of k columns. m is rounded up to a multiple of kTileRows.
+/// Computes C ← C − A B, where C has m × n numbers and A has k columns. m is rounded up to a multiple of
+/// kTileRows.
 template <class Register>
 NETLOFT_INLINE void subtract_product(std::ptrdiff_t m, std::ptrdiff_t n, std::ptrdiff_t k, const double* a,
                                      std::ptrdiff_t lda, Factor b, double* c, std::ptrdiff_t ldc) {
@@ -133,8 +134,8 @@ struct OwnRows {
   const double *beyond, *before;
 };
 
-/// Whether entry k of a column can be the pivot without exchange, because it is not small compared with the
-/// entries below it before row n.
+/// Whether entry k of a column can be the pivot without exchange of rows: whether it is large enough compared
+/// with the entries below it before row n.
 template <class Register>
 NETLOFT_INLINE bool is_pivot(const double* column, std::ptrdiff_t begin, std::ptrdiff_t k, std::ptrdiff_t n) {
   using V = typename Register::V;
@@ -198,7 +199,7 @@ NETLOFT_INLINE double eliminate_column(double* left, std::ptrdiff_t stride, std:
 }
 
 /// Eliminates pivot k of the block that begins at `begin`, within the rows of A₁₁: exchanges its row,
-/// computes its column of L and updates the following columns before `end`. Returns one over the pivot, or
+/// computes its column of L and updates the columns after it before `end`. Returns one over the pivot, or
 /// zero if the pivot is zero.
 template <class Register>
 NETLOFT_INLINE double eliminate_pivot(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t k,
@@ -212,8 +213,8 @@ NETLOFT_INLINE double eliminate_pivot(const FrontPanels& f, std::ptrdiff_t begin
   return eliminate_column<Register>(f.left, stride, begin, k, n, end);
 }
 
-/// Computes L₂₁ in the columns from `begin` to `end`; S are the reciprocals of their pivots. Returns the sum
-/// of the squares of L₂₁.
+/// Computes L₂₁ (front_kernels.hpp (1)) in the columns from `begin` to `end`. S are the reciprocals of their
+/// pivots. Returns the sum of the squares of these numbers of L₂₁.
 template <class Register>
 NETLOFT_INLINE double solve_below(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
                                   const double* S) {
@@ -224,7 +225,8 @@ NETLOFT_INLINE double solve_below(const FrontPanels& f, std::ptrdiff_t begin, st
   return squares;
 }
 
-/// Whether column k of A₂₁ is zero after the elimination of columns `begin` to k.
+/// Whether column k of A₂₁, the rows below the pivots, is zero once the columns from `begin` to k are
+/// eliminated.
 template <class Register>
 NETLOFT_INLINE bool is_zero_below(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t k,
                                   const double* S) {

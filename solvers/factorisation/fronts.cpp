@@ -91,7 +91,7 @@ Elimination Fronts::eliminate(std::size_t front, Workers* workers) {
   return e;
 }
 
-/// Writes the entries of the matrix to the panels of a front, which are zero.
+/// Copies the entries of the matrix into the panels of a front, which are zero before.
 void Fronts::set_entries(std::size_t front) {
   double* panels = panels_.at(tree_->fronts[front].panels);
   for (std::size_t k = tree_->fronts[front].entries; k < tree_->fronts[front + 1].entries; ++k) {

@@ -17,7 +17,7 @@ void for_entries(const SparsePattern& pattern, Visit&& visit) {
       visit(pattern.row[e], c, e);
 }
 
-/// The full pattern of a symmetric one, and the source of the value of each entry.
+/// The full pattern that belongs to a lower triangle, and for each of its entries the source of its value.
 struct WholePattern {
   SparsePattern pattern;
   std::vector<std::size_t> source;
@@ -38,7 +38,7 @@ WholePattern::WholePattern(const SparsePattern& lower) {
     pattern.row[next[column]] = row;
     source[next[column]++] = lower.slot_of(static_cast<std::size_t>(entry));
   };
-  // Upper entries of a column come from earlier columns, in increasing order, so rows are sorted.
+  // Rows are sorted, because the upper entries of a column come from earlier columns in increasing order.
   for_entries(lower, [&](auto row, auto column, auto entry) {
     if (row != column) put(column, row, entry);
   });

@@ -6,7 +6,7 @@
 
 namespace netloft {
 
-/// A matrix in blocks of three rows and columns, whose nine values are contiguous, row by row.
+/// A matrix in blocks of 3 × 3 values. The nine values of a block are contiguous, row by row.
 struct MatrixBlocks {
   struct Column {
     std::int32_t column;  // index of the first of three columns

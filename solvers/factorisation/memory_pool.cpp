@@ -28,7 +28,7 @@ std::size_t capacity_of(void* block) {
 #endif
 }
 
-/// Classes 4k, 4k+1, 4k+2, 4k+3 hold blocks of at least 4·2ᵏ, 5·2ᵏ, 6·2ᵏ, 7·2ᵏ bytes.
+/// Blocks are sorted into classes by size: 4k, 4k+1, 4k+2, 4k+3 hold at least 4·2ᵏ, 5·2ᵏ, 6·2ᵏ, 7·2ᵏ bytes.
 std::size_t bytes_of_class(std::size_t size_class) { return (4 + size_class % 4) << (size_class / 4); }
 
 std::size_t largest_class_within(std::size_t bytes) {
@@ -181,7 +181,8 @@ void* netloft_mumps_calloc(std::size_t count, std::size_t size) { return netloft
 void* netloft_mumps_realloc(void* block, std::size_t bytes) { return netloft::pool_realloc(block, bytes); }
 void netloft_mumps_free(void* block) { netloft::pool_free(block); }
 
-/// Fortran's TRIM, which MUMPS calls in each factorisation; the caller frees the result if it is not empty.
+/// Replaces Fortran's TRIM, which MUMPS calls in each factorisation. The caller frees the result unless it is
+/// empty.
 void netloft_mumps_string_trim(std::size_t* length, char** trimmed, std::size_t source_length,
                                const char* source) {
   static char nothing = '\0';

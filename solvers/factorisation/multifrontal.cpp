@@ -20,7 +20,8 @@ namespace netloft {
 namespace {
 
 constexpr double kLargestError = 1e-9;  // backward error (2) above which the spare factorisation takes over
-// Below this [floating-point operations] a factorisation takes less than 5 ms, and threads would gain little.
+// Work [floating-point operations] below which a factorisation takes less than 5 ms, so that threads would
+// gain little.
 constexpr double kWorthThreads = 2e8;
 constexpr double kErrorToRefine = 1e-12;  // backward error (2) above which a solution is refined
 

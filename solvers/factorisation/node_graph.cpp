@@ -15,8 +15,8 @@ using Indices = std::vector<std::int32_t>;
 /// Turns counts, of which that for i is stored at [i + 1], into start indices.
 void accumulate(Indices& start) { std::partial_sum(start.begin(), start.end(), start.begin()); }
 
-/// Numbers the nodes that have unknowns, in the order of nodes. Returns the vertex of each unknown; sets the
-/// number of vertices.
+/// Numbers the nodes that have unknowns, in the order of nodes; `vertices` becomes their number. Returns the
+/// vertex of each unknown.
 Indices number_vertices(const SparsePattern& pattern, std::int32_t& vertices) {
   const auto largest = std::max_element(pattern.node.begin(), pattern.node.end());
   Indices vertex_of_node(pattern.node.empty() ? 0 : *largest + 1, -1);

@@ -14,7 +14,8 @@ namespace netloft {
 struct NodeGraph {
   std::int32_t size = 0;  // number of vertices: nodes that have an unknown
 
-  // Edges between vertices, each once as row ≥ column, the diagonal included; rows are not sorted.
+  // The edges between vertices, diagonal included. Each is stored once, with row ≥ column; rows are not
+  // sorted.
   std::vector<std::int32_t> column_start;
   std::vector<std::int32_t> row;
 
@@ -26,7 +27,7 @@ struct NodeGraph {
 /// Largest number of edges, where an edge counts once at each end. METIS and CHOLMOD use 32-bit indices here.
 inline constexpr std::size_t kMostEdges = 0x7fffffff;
 
-/// Makes the graph of a pattern, or of the union with its transpose if the pattern is unsymmetric. Throws
+/// Makes the graph of a pattern; if the pattern is unsymmetric, of its union with its transpose. Throws
 /// std::runtime_error with a sentence if there are more than `most_edges` edges.
 NodeGraph make_node_graph(const SparsePattern& pattern, std::size_t most_edges = kMostEdges);
 

@@ -11,8 +11,8 @@ namespace {
 constexpr double kWorthwhile = 1e6;
 constexpr std::ptrdiff_t kSlicesPerThread = 4;  // so that a thread without a core of its own delays little
 
-/// Divides the numbers from `begin` to `end` into slices of whole `grain`s from `begin` on, and lets threads
-/// call body(from, to) on them.
+/// Divides the numbers from `begin` to `end` into slices, and lets threads call body(from, to) on them. Each
+/// slice begins a multiple of `grain` after `begin`.
 template <class Body>
 void divide(Workers& workers, std::ptrdiff_t begin, std::ptrdiff_t end, std::ptrdiff_t grain, double flops,
             const Body& body) {

@@ -7,7 +7,7 @@
 
 namespace netloft::gears {
 
-/// A stretch of rope, either along a side of a cloth or free, and the length of rope that it takes [m].
+/// A stretch of rope, along a side of a cloth (cloths.hpp) or free, and the length of rope that it takes [m].
 struct RopeStretch {
   DirectedSide along;
   bool is_free = false;

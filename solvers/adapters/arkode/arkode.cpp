@@ -31,7 +31,7 @@ constexpr std::array<Method, 3> kMethods = {
 
 const Method& method_of(const Arkode::Parameters& p) { return kMethods[static_cast<std::size_t>(p.method)]; }
 
-/// The motion as seen by ARKODE's callbacks, and the errors that occur in them.
+/// The motion that ARKODE's callbacks evaluate, and the errors that occur in them.
 struct Host {
   explicit Host(Motion& m) : motion(m) {}
 
@@ -132,7 +132,8 @@ void keep_error(void* arkode, N_Vector room, Host& host) {
   for (std::size_t i = 0; i < host.motion.size(); ++i) host.motion.error()[i] = std::abs(host.u(room)[i]);
 }
 
-/// Takes a step, (1) to (4) of arkode.hpp. Returns ARKODE's status; y becomes the state at the end.
+/// Takes a step by (1) to (4) of arkode.hpp. Returns ARKODE's status; y becomes the state at the end of the
+/// step.
 int run(const Method& method, Host& host, std::span<double> y) {
   const double t = host.motion.t(), h = host.motion.h();
   const Context context = make_context();

@@ -136,8 +136,8 @@ Outcome outcome_of(int status, const Host& host) {
   }
 }
 
-/// Reports the last point to the host. If KINSOL regards the point as converged, it requests no tangent
-/// there, so that compute_tangent has not reported it.
+/// Reports the last point to the host. compute_tangent has not reported it if KINSOL regards it as converged,
+/// because KINSOL then requests no tangent there.
 Outcome report_end(Host& host, Outcome outcome) {
   const auto u = host.problem.u();
   if (host.problem.evaluate(u, host.energy, host.residual) != Evaluation::ok) return Outcome::left_domain;

@@ -14,7 +14,7 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 using Index = Eigen::Index;
 
-// Round-off of a distance and of its derivative, for coordinates of the size of one.
+// Round-off of a distance and of its derivative, if coordinates are about one.
 constexpr double kNoDistance = 1e-9, kNoSlope = 1e-12;
 
 /// Minimises ‖A λ − b‖ over λ ≥ 0 by the active-set method of Lawson and Hanson, with its functions in the

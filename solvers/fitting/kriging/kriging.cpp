@@ -24,7 +24,7 @@ using Index = Eigen::Index;
 // Number of points used in the likelihood. More points locate its minimum, whose width is 1/√n, better, but
 // each evaluation takes n³/3 operations.
 constexpr Index kLikelihoodPoints = 150;
-// Range of the lengths over the extent of the points. With shorter lengths, points are uncorrelated; with
+// Range of the lengths ℓ over the extent of the points. With shorter lengths, points are uncorrelated; with
 // longer ones, the prediction is a parabola.
 constexpr double kShortest = 0.02, kLongest = 20;
 // Range of ν, the scatter of the values over σ². With less scatter, K is singular in double precision; with
@@ -55,7 +55,7 @@ Matrix scaled(const Matrix& points, const Scales& scales) {
   return all;
 }
 
-/// Returns a row per point: 1 and, if there are enough points to determine a plane, the coordinates.
+/// Returns a row per point: 1, followed by the coordinates if there are enough points to determine a plane.
 Matrix trend_of(const Matrix& points) {
   Matrix plane(points.rows(), points.cols() + 1);
   plane << Vector::Ones(points.rows()), points;

@@ -13,7 +13,7 @@ struct KrigingValue {
   double deviation = 0;  // standard deviation s of (4)
 };
 
-/// The parameters of the correlation of values at two points, (1) and (2) of Kriging.
+/// The parameters of the correlation between values at two points, (1) and (2) of Kriging.
 struct KrigingScales {
   enum class Correlation { matern, gaussian };
   Correlation correlation = Correlation::matern;

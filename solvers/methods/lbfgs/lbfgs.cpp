@@ -109,7 +109,7 @@ class Minimiser {
     return {t, energy, dot(r_trial_, step_)};
   }
 
-  /// Moves to the trial point and stores the pair s, y of this step.
+  /// Moves to the trial point, and stores the step s and the change y of the gradient.
   void learn() {
     std::copy(trial_.begin(), trial_.end(), problem_.u().begin());
     std::swap(r_, r_trial_);
@@ -124,7 +124,7 @@ class Minimiser {
     std::swap(Br_, scratch_);
   }
 
-  /// Begins again with the preconditioner alone. Returns false if the memory is empty already.
+  /// Begins again with the preconditioner alone. Returns false if the memory of pairs is empty already.
   bool forget() {
     if (memory_.is_empty()) return false;
     note_ = "memory cleared";

@@ -10,7 +10,7 @@
 
 namespace netloft::newton {
 
-/// A step s by newton.hpp (2) and the damping of its matrix, or the reason why there is no step.
+/// A step s by (2) of newton.hpp and the damping of its matrix, or the reason why there is no step.
 struct Direction {
   std::span<const double> s = {};
   double damping = 0;            // requested μ; with a convex part, a larger μ may have been used

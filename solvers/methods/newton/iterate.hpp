@@ -45,7 +45,8 @@ class Iterate {
 
   /// Evaluates at u and stores the tangent if `matrix` requests it. Returns false where forces are undefined.
   bool evaluate(Matrix matrix = Matrix::exact);
-  /// Computes the forces without an energy at u, d = r − g, which the merit needs; g is the gradient of E.
+  /// Computes the forces d = r − g at u that have no energy; g is the gradient of the energy E. The merit
+  /// needs d.
   bool split_residual();
   bool report(const char* note) { return problem_.progress(problem_.u(), energy_, r_, note); }
 

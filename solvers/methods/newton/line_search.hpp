@@ -102,7 +102,7 @@ struct SlopeSearch {
   }
 
  private:
-  /// The zero of the secant through the last two samples, which is exact behind a kink, or else the middle.
+  /// The zero of the secant through the last two samples, which is exact behind a kink; otherwise the middle.
   double next(const Sample& last, const Sample& here, double low, double high) const {
     const double t = here.t - here.slope * (here.t - last.t) / (here.slope - last.slope),
                  margin = refinement.margin * (high - low);

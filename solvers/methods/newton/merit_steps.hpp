@@ -21,8 +21,8 @@ class CurvedStep {
     minus_second_derivative_.reserve(size);
     a_.reserve(size);
   }
-  /// Computes a from differences of r over ± t s and the last factor. Returns an empty vector if forces are
-  /// undefined at one of these points.
+  /// Computes a with the last factor, from differences of r between u − t s, u and u + t s. Returns an empty
+  /// vector if forces are undefined at one of these points.
   std::span<const double> find(Iterate& iterate, std::span<const double> s, double t);
 
  private:
@@ -45,7 +45,7 @@ class MeritSteps {
   /// Moves u along s: by (5) if it allows, otherwise by (4), or by (8) if (4) is too short and (8) gains
   /// more.
   Step take(Iterate& iterate, const Direction& direction);
-  /// Adds a decrease of m to the sum: that of a step, or of a move along negative curvature.
+  /// Adds the decrease of m by a step, or by a move along negative curvature, to the sum.
   void add_gain(double gain) {
     gained_ += gain;
     most_gained_ = std::max(most_gained_, gained_);

@@ -19,7 +19,7 @@ class NegativeCurvature {
   /// Returns the direction v of the most negative curvature of K, if there is any. The last factor must be
   /// that of K + σ M. The vector is valid until the next search.
   std::optional<std::span<const double>> find_direction(Problem& problem, double sigma);
-  /// Moves along ±v until the energy no longer falls. Returns false if it does not fall at all.
+  /// Moves along v or −v until the energy no longer falls. Returns false if it does not fall at all.
   bool leave_along(std::span<const double> v, Iterate& iterate);
 
  private:

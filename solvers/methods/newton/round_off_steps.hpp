@@ -45,7 +45,7 @@ class RoundOffSteps {
   /// definite or unsymmetric, its step is tried by take(). If K is nearly definite and all forces have an
   /// energy, u moves along negative curvature or, if there is none, by (7) along a step of K + σ M.
   Step fall_back(Iterate& iterate, double damping);
-  /// Allows (7) again after stalled steps, because a step judged by the merit has moved u.
+  /// Allows (7) of newton.hpp again after stalled steps, because a step judged by the merit has moved u.
   void reset_stall_count() { stall_.reset(); }
 
  private:

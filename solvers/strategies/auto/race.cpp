@@ -32,8 +32,8 @@ bool is_one_place(const Search& search, const Displacements& a, const Displaceme
   return apart <= little(search);
 }
 
-/// Returns the start of the search. If forces are undefined at the start, no solver can leave this point, and
-/// the start is perturbed.
+/// Returns the start of the search. It is perturbed if forces are undefined there, because no solver could
+/// leave it.
 Displacements start_with_forces(Search& search) {
   const Stage start = search.assess({.name = "the start"}, search.start());
   if (start.has_forces() || start.is_stationary()) return search.start();

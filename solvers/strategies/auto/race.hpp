@@ -46,7 +46,8 @@ class Race {
   Stage run();
 
  private:
-  /// `again_at_once`: the attempt was cut off close to balance and gets a slice of double length at once.
+  /// The fate of an attempt. again_at_once: it was cut off close to balance and gets a slice of double
+  /// length at once.
   enum class Fate { out, again, again_at_once };
   struct Runner {
     Attempt attempt;

@@ -5,8 +5,8 @@ namespace {
 
 using namespace netloft;
 
-/// Continuation in the current, from still water to the full current. A step is doubled after a stage that
-/// converged and halved after one that did not.
+/// Continuation in the current, from still water to the full current. A step is doubled if its stage
+/// converged, and halved if not.
 struct LoadSteps {
   struct Parameters {
     double step = 0, shortest = 0;

@@ -76,8 +76,8 @@ double InteriorPoint::mean_complementarity() const {
   return sum / length;
 }
 
-/// Computes the matrix of (3), r + Σ n c q and the scaling of all members. Returns false if forces are
-/// undefined at u.
+/// Computes the matrix of (3) in interior_point.hpp, r + Σ n c q and the scaling of all members. Returns
+/// false if forces are undefined at u.
 bool InteriorPoint::evaluate(std::span<const double> u) {
   members_.find_chords(u, w_);
   if (!members_.evaluate(u, residual_)) return false;
@@ -164,7 +164,7 @@ double InteriorPoint::zeta(std::size_t e, double g0, double along) const {
   return (EA(e) * (1 - z0) + T + g0 - along) / (EA(e) + scaling_[e].squared(0, 0));
 }
 
-/// Computes δz of a member from the change of its chord, and δy = g − H δz.
+/// Computes the steps of a member: δz from the change of its chord, and δy = g − H δz.
 void InteriorPoint::set_step(std::size_t e) {
   const cone::Scaling& H = scaling_[e];
   cone::Point &dz = states_[e].dz, &dy = states_[e].dy;
@@ -176,7 +176,7 @@ void InteriorPoint::set_step(std::size_t e) {
   }
 }
 
-/// Returns the length at which the first z or y leaves K, or NaN if the step is not finite.
+/// Returns the length of the step at which the first z or y leaves K, or NaN if the step is not finite.
 double InteriorPoint::longest_step() const {
   if (!all_finite(step_)) return std::numeric_limits<double>::quiet_NaN();
   double longest = std::numeric_limits<double>::infinity();

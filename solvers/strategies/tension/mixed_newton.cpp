@@ -82,7 +82,7 @@ bool MixedNewton::find_rest(std::span<const double> u) {
   return knows_rest_;
 }
 
-/// Whether the stage has reached its end. Computes the residual unless the stage `is_between`.
+/// Whether the stage has reached its end. Computes the residual, except in a stage that `is_between`.
 bool MixedNewton::has_converged(const Stage& stage) {
   if (stage.is_between) return took_whole_step_;
   return find_residual() && is_balanced(stage.tolerance);

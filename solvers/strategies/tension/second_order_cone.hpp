@@ -48,7 +48,8 @@ inline double step_to_boundary(const Point& x, const Point& d) {
   return least;
 }
 
-/// The scaling W of Nesterov and Todd for z and y inside K, defined by W z = W⁻¹ y. J x = (x₀, −x̄):
+/// The scaling W of Nesterov and Todd for z and y inside K, defined by W z = W⁻¹ y. v and p are vectors, β is
+/// a number, J x = (x₀, −x̄):
 ///   W = β (2 v vᵀ − J),  W² = β² (2 p pᵀ − J)                                             (1)
 class Scaling {
  public:

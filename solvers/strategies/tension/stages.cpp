@@ -34,7 +34,7 @@ MixedNewton::Stage Stages::soft_stage() const {
           .iterations = p_.iterations};
 }
 
-/// Returns a stage in which no part is stiffer than a multiple of its tension.
+/// Returns a stage in which the stiffness of every part is at most a multiple of its tension.
 MixedNewton::Stage Stages::next_stage(double multiple) const {
   const std::vector<double> tension = newton_.tensions_by_part(), stiffness = newton_.stiffness_by_part();
   const double least = largest_of(tension) / p_.last;
