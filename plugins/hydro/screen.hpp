@@ -103,8 +103,8 @@ struct AarsnesModel {
 ///   C_D = C_0 (0.9 cos θ + 0.1 cos 3θ),  C_L = C_45 (sin 2θ + 0.1 sin 4θ)          (11)
 ///   C_0 = C_circ S (2 − S)/(2 (1 − S)²),  C_circ over x = log₁₀(Re), Re = u D/(ν (1 − S))  (12)
 ///   C_45 = (C_N − C_T)/√2,  C_N = C_0/2,  C_T = π C_N/(8 + C_N)                    (13)
-/// The drag coefficient C_circ of a cylinder is a polynomial for 10^1.5 < Re < 10⁴ and constant beyond; S is
-/// limited to 0.5.
+/// C_0 is C_D at θ = 0 and C_45 is C_L at 45°. C_circ, the drag coefficient of a cylinder, is a polynomial
+/// for 10^1.5 < Re < 10⁴ and constant beyond. S is limited to 0.5.
 struct KristiansenFaltinsenModel {
   using Parameters = ScreenParameters;
   template <class T>

@@ -32,8 +32,8 @@ struct KnownCoordinate {
 /// determine the sign in (2): it changes at seams of outer to outer or inner to inner sides, as from top to
 /// bottom. S(a), half the girth, is s on the lower middle line, which may be a seam of port to starboard.
 ///   φ = π s/S,  y = ± w sin φ,  z = h cos φ,  h = k w                              (3)
-/// (3) puts the netting on rings of half width w and height h, k = 0.4: half an ellipse with the arc length S
-/// on each side. At an end that is closed by a seam, z = 0.
+/// (3) puts the netting on rings of half width w and half height h, k = 0.4: half an ellipse with the arc
+/// length S on each side. At an end that is closed by a seam, z = 0.
 ///
 /// The netting is then shifted to known coordinates of its nodes. If its nodes have none, the shift makes
 /// ropes to known points straight and its lowest point as deep as the lowest known point. Known coordinates,

@@ -155,9 +155,9 @@ Stage Race::with_compensated_positions(Stage stage) {
   return next.has_converged() && next.residual <= stage.residual ? std::move(next) : std::move(stage);
 }
 
-/// Keeps the better of two stages at an equilibrium. A converged stage is better than an unstable one. Of two
-/// unstable ones, that with flutter is better than that which the gear leaves; then slower growth decides,
-/// then the better balance.
+/// Keeps the better of two stages at an equilibrium: a converged one before an unstable one. Of two unstable
+/// ones, the one with flutter, about which the gear swings, is better; then the one of slower growth, then
+/// the better balanced one.
 void Race::keep_better(const Stage& stage) {
   if (!stage.is_stationary()) return;
   const auto rank = [](const Stage& one) {
