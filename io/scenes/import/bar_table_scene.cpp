@@ -81,7 +81,7 @@ class TableScene {
     return sets;
   }
 
-  /// The stiffness of the bed under a node. Ropes whose beds differ in stiffness may meet at this node.
+  /// The stiffness of the bed under a node, collected from all ropes that meet at this node.
   struct BedUnder {
     double least = 0, most = 0;      // smallest and largest stiffness under these ropes [N/m²]
     double product = 0, metres = 0;  // sums over half bars of stiffness times length [N/m] and of length [m]
@@ -97,9 +97,9 @@ class TableScene {
     double stiffness() const { return least == most ? most : product / metres; }
   };
 
-  /// Writes the parts that model the bed: one for each stiffness, on all ropes with this stiffness. If ropes
-  /// with different stiffnesses of the bed meet at a node, parts are on sets of nodes instead, so that the
-  /// node does not rest on two beds.
+  /// Writes the parts that model the bed, one for each stiffness. Such a part is on all ropes whose bed has
+  /// this stiffness. If ropes with different beds meet at some node, the parts are on sets of nodes instead,
+  /// so that this node does not rest on two beds.
   void write_beds() {
     std::vector<BedUnder> under(table_.nodes.size());
     std::map<double, std::vector<std::string>> on;

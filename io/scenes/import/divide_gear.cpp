@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Divides a gear without a mesh into elements. The nodes of a panel are the knots of a coarser net, whose
-// mesh side is the meshing step; the nodes agree with those of FEMNET. Triangles may differ from those of
-// FEMNET where both diagonals of a square between nodes are equally good.
+// Divides a gear of FEMNET that has no mesh into elements. The nodes of a panel are the knots of a coarser
+// net, whose mesh side is the meshing step. The nodes agree with those of FEMNET; the triangles may differ
+// where both diagonals of a square between nodes are equally good.
 //   u = U + V,  v = V − U                 a panel in mesh sides along its twines                      (1)
 //   parts of a side = max(|Δu|, |Δv|) l₀/step, rounded, at least one                                  (2)
 //   inner nodes at u, v = whole multiples of step/l₀                                                   (3)
 // U, V are the panel coordinates in meshes, Δu and Δv the differences between the ends of a side, l₀ [m] the
-// mesh side, step [m] the meshing step. A Delaunay triangulation connects the nodes in the plane x = U l₀, y
-// = √3 V l₀, in which meshes are opened by one half and (3) is a lattice of equilateral triangles.
+// mesh side, step [m] the meshing step. A Delaunay triangulation connects the nodes in a plane whose
+// coordinates are U l₀ and √3 V l₀. In this plane meshes are opened by one half, and the nodes (3) form a
+// lattice of equilateral triangles.
 #include "io/formats/mesh/mesh.hpp"
 #include "io/gears/meshing/border_sides.hpp"
 #include "io/gears/meshing/triangulation.hpp"
@@ -77,7 +78,8 @@ class PanelPlane {
     return !(u * v < 2 * most_nodes && std::max(u, v) < kMostParts);
   }
 
-  /// The inner nodes (3). `low` and `high` have u and v in their members U and V.
+  /// The inner nodes, equation (3) at the top of this file. `low` and `high` store u and v in members named U
+  /// and V.
   std::vector<Meshes> inside(const std::vector<gears::PlanePoint>& border) const {
     const auto [low, high] = extent();
     const gears::BorderSides sides(border, kNearest * panel_.step);
@@ -93,7 +95,8 @@ class PanelPlane {
  private:
   static constexpr double kOpen = std::numbers::sqrt3;
 
-  /// The least u and v (first) and the greatest u and v (second), in the members U and V.
+  /// The least coordinates u, v of the corners (first) and the greatest (second), stored in members named U
+  /// and V.
   std::pair<Meshes, Meshes> extent() const {
     Meshes low{1e300, 1e300}, high{-1e300, -1e300};
     for (const auto& c : panel_.corners) {
@@ -202,7 +205,8 @@ class Divider {
     return static_cast<std::uint32_t>(mesh_.nodes.size() - 1);
   }
 
-  /// The node of a corner or end. The type of a node is that of the panel or cable that is divided first.
+  /// The node at a corner of a panel or at an end of a cable. Its type is given by the panel or cable that is
+  /// divided first.
   std::uint32_t node_of(const LinkPoint& point, const Triple& at, int type, const formats::Place& place) {
     const auto [known, is_new] = node_of_point_.try_emplace(links_.point(point), 0);
     if (is_new) known->second = add_node(at, type, place);
@@ -217,7 +221,8 @@ class Divider {
     return known->second;
   }
 
-  /// The nodes from `a` to `b`, with both ends: those of the line that exists between them, or of a new line.
+  /// The nodes of the line from `a` to `b`, both ends included. Divides the line if no panel or cable has
+  /// done so yet.
   std::vector<std::uint32_t> line(std::uint32_t a, std::uint32_t b, const Triple& from, const Triple& to,
                                   double parts, int type, const formats::Place& place) {
     const auto [known, is_new] = lines_.try_emplace(std::minmax({a, b}));

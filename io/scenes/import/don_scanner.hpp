@@ -8,10 +8,10 @@
 
 namespace netloft::scenes::femnet {
 
-/// Reads the text of a .don, a gear file of FEMNET, as FEMNET does. In its first part every value follows a
-/// colon, and the words before the colons do not matter; its second part, the tail, consists of words. After
-/// an error in the first part it reads nothing more, because all later values would be read from wrong
-/// positions.
+/// Reads the text of a .don, a gear file of FEMNET, as FEMNET does. In the first part of the file every value
+/// follows a colon, and the words before the colons do not matter; the second part, the tail, consists of
+/// words. After an error in the first part the scanner reads nothing more, because it would read all later
+/// values from wrong positions.
 class DonScanner {
  public:
   DonScanner(std::string text, int file, formats::Diagnostics& diagnostics);

@@ -10,7 +10,7 @@
 
 namespace netloft::scenes::femnet {
 
-/// Gravity in FEMNET [m/s²], as its results for the files of this importer show.
+/// Gravity in FEMNET [m/s²], inferred from its results for files of this kind.
 inline constexpr double kGravity = 9.81;
 
 using Triple = std::array<double, 3>;

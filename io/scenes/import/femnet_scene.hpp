@@ -54,8 +54,8 @@ struct TwineBar {
   double length, sides, EA, EA_compression;
 };
 
-/// A node that the scene has to hold along some axes, because the file does not hold the piece of gear to
-/// which the node belongs along these axes.
+/// A node that the scene must hold along `axes`, because the file lets the connected piece of gear with this
+/// node drift along these axes.
 struct Loose {
   std::uint32_t node;
   std::array<bool, 3> axes;

@@ -84,8 +84,8 @@ FoundMesh divide(femnet::GearFile& gear, const std::string& why, formats::Diagno
   return {femnet::divide_gear(gear, diagnostics), {}};
 }
 
-/// Reads the mesh of the gear, or divides the gear. If the user named no mesh, a file beside the gear is used
-/// only if it fits: one that refers to parts that the gear does not have is outdated.
+/// Reads the mesh of the gear, or divides the gear. A mesh that the user did not name, but that is beside the
+/// gear, is used only if all parts in it are parts of the gear; otherwise it is outdated.
 FoundMesh find_mesh(const ImportRequest& request, femnet::GearFile& gear, formats::Diagnostics& diagnostics) {
   const fs::path path = mesh_of(request);
   const bool is_named = !request.mesh.empty();

@@ -124,9 +124,9 @@ class MooringReader {
     }
   }
 
-  /// Reads a line with names of columns. In version 1 of the format the length of a line comes before its
-  /// ends; only the name of this column tells version 1 from version 2. In version 1 a number of rows ("2
-  /// NTypes") may come before the names.
+  /// Reads a line with names of columns. The length of a mooring line comes before its ends in version 1 of
+  /// the format, and after them in version 2, so that the position of the column "UNSTR…" tells the versions
+  /// apart. In version 1 a number of rows ("2 NTypes") may come before the names.
   void read_names(const Row& row) {
     if (names_ == 2 && formats::integer_in(row[0].text)) return;
     --names_;
@@ -289,8 +289,8 @@ class MooringReader {
     out_.table.ropes.push_back(std::move(rope));
   }
 
-  /// Adds a node of a line. The line begins as a parabola whose length is about its own: length = d + 8 s²/(3
-  /// d), with the distance d of its ends and the sag s.
+  /// Adds a node of a mooring line. The initial shape of the line is a parabola of nearly its length, which
+  /// is d + 8 s²/(3 d) for the distance d [m] of the ends and the sag s [m].
   std::uint32_t add_node(const std::string& line, int number, std::array<std::uint32_t, 2> ends, double t,
                          double length) {
     const auto &a = out_.table.nodes[ends[0]].at, &b = out_.table.nodes[ends[1]].at;

@@ -32,9 +32,9 @@ InlineTable twine_of(SceneDraft& to, const Panel& p, double EA, double EA_compre
   return twine.add("surface", 1);
 }
 
-/// Writes netting with one bar for several twines. FEMNET replaces n twines by one thick twine, whose
-/// tangential drag (friction) is too large by √n; here the friction is multiplied by √n, so that results
-/// agree.
+/// Writes netting with one bar for n twines. In FEMNET such a bar is one thick twine, whose tangential drag
+/// (friction) is √n times too large. The scene multiplies the friction by √n, so that results agree with
+/// those of FEMNET.
 void write_twines(SceneDraft& to, std::size_t number, const std::string& region) {
   const Panel& p = to.gear.panels[number];
   const TwineBar bar(p);

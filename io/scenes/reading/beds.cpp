@@ -32,8 +32,9 @@ std::vector<Bed> beds_of(const LoadedScene& loaded) {
   return beds;
 }
 
-/// The height of the gear above a bed: of its highest node, or of the first node found that is above
-/// `enough` [m]. `first` is the node that is looked at first: one above another bed is likely to serve again.
+/// The height of the gear's highest node above a bed [m]. The search stops at the first node that is above
+/// `enough` [m]. It begins at node `first`, and stores the node at which it stopped there, because this node
+/// is likely to be above the next bed, too.
 double height_above(const Bed& bed, const std::vector<double>& positions, double enough, std::size_t& first) {
   double highest = -std::numeric_limits<double>::infinity();
   const std::size_t nodes = positions.size() / 3;
@@ -45,7 +46,7 @@ double height_above(const Bed& bed, const std::vector<double>& positions, double
   return highest;
 }
 
-/// `above_others`: a node above the beds that were checked before.
+/// `above_others`: a node above the beds that were checked before; the search begins there.
 void check_height(const Bed& bed, const Scene& scene, std::size_t& above_others,
                   formats::Diagnostics& diagnostics) {
   const double sinking = std::max(bed.softness, 1e-3);
@@ -72,14 +73,14 @@ void check_height(const Bed& bed, const Scene& scene, std::size_t& above_others,
                         "hold it above the bed, or lower the bed");
 }
 
-/// Finds beds that differ from those before them.
+/// Compares each bed with the beds before it.
 class BedComparison {
  public:
   BedComparison(const std::vector<Bed>& beds, const Scene& scene)
       : beds_(beds), carrier_(scene.node_count(), kNobody) {}
 
-  /// Reports a bed on a node of an earlier bed as an error, because both push at it. `warns`: also warns of a
-  /// bed that is another plane than the first, above which the report gives heights.
+  /// Reports two beds that push at the same node as an error. If `warns`, also warns of a bed whose plane
+  /// differs from that of the first bed, because reports give heights above the first bed.
   void compare(std::size_t bed, bool warns, formats::Diagnostics& diagnostics) {
     const Bed &own = beds_[bed], &first = beds_.front();
     if (const std::size_t other = claim_nodes(bed); other != kNobody)
@@ -97,8 +98,8 @@ class BedComparison {
  private:
   static constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
 
-  /// Notes the bed for nodes that no earlier bed carries. Returns the first of the earlier beds with which it
-  /// shares a node.
+  /// Makes `bed` the carrier of those of its nodes that no earlier bed carries. Returns the first earlier bed
+  /// with which it shares a node; kNobody if there is none.
   std::size_t claim_nodes(std::size_t bed) {
     std::size_t other = kNobody;
     for (const auto node : beds_[bed].part->nodes) {

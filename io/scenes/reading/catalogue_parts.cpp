@@ -52,8 +52,8 @@ void insert_numbers(std::set<std::string>& known, const std::vector<netloft_para
     if (std::string_view(p.name).starts_with(prefix)) known.insert(p.name + prefix.size());
 }
 
-/// The names of the parameters under `key` that elements of the part's plugin have. All elements of the
-/// plugin count, because companions of the part read the same table.
+/// The names of the parameters under `key` in all element types of the part's plugin. All types count,
+/// because companions (elements that the plugin adds to every part of a type) read the same table.
 std::set<std::string> known_numbers(const NamedPart& mention, Registry& registry) {
   std::set<std::string> known;
   const formats::Member* type = mention.part->find("type");

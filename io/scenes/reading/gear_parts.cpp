@@ -451,9 +451,9 @@ void GearParts::hold_blocks() {
   draft_.out.gear->ship_efficiency = plan_.ship->efficiency;
 }
 
-/// Prepares warps on winches, each of which starts at its block. If a warp has a given tension, the search
-/// for the equilibrium finds its length (Setting). In a motion, a winch follows the winch program of the
-/// plan; without a program it holds the tension.
+/// Prepares warps on winches; each warp starts at its block. If a warp has a given tension, its length
+/// becomes an unknown of the search for the equilibrium (Setting in framework/scene/scene.hpp). In a motion,
+/// a winch follows the winch program of the plan; without a program it holds the tension.
 void GearParts::set_winches() {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r) {
     const gears::GearRope& rope = gear_.ropes[r];

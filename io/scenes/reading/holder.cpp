@@ -207,15 +207,16 @@ Point Holder::position(std::uint32_t node) const {
   return {x[0], x[1], x[2]};
 }
 
-/// Whether a node that may be held already can be held along the axes of an entry: it cannot if both hold
-/// fewer than three axes, of different frames.
+/// Whether an entry can hold a node that earlier entries may hold already. It cannot if the entry and the
+/// earlier ones each hold fewer than three axes, in different frames.
 bool Holder::can_hold(std::uint32_t node, const HoldEntry& entry) const {
   if (scene_.held[node] == 0 || scene_.held[node] == kAllAxes || entry.axes == kAllAxes) return true;
   const auto* own = frame_of(node);
   return entry.frame ? own && *own == *entry.frame : !own;
 }
 
-/// The directions along which both the entry and earlier entries hold a node for which can_hold() is true.
+/// The directions along which both `entry` and earlier entries hold a node; can_hold() must be true for this
+/// node.
 std::vector<Point> Holder::shared_directions(std::uint32_t node, const HoldEntry& entry) const {
   const auto* frame = entry.frame ? &*entry.frame : nullptr;
   if (scene_.held[node] == kAllAxes) return axes_of(frame, entry.axes);
@@ -249,8 +250,8 @@ bool Holder::agrees(std::uint32_t node, const HoldEntry& entry, const Point& at,
   return true;
 }
 
-/// Whether the grips of a node move it along `direction` as `course` does. Courses are cubic between knots,
-/// so that they are equal if they agree at the knots of both.
+/// Whether earlier entries (its grips) move a node along `direction` as `course` does. Courses are cubic
+/// between knots, so that they are equal if they agree at the knots of both.
 bool Holder::moves_alike(std::uint32_t node, const Course& course, const Point& direction) const {
   std::vector<std::pair<Point, const Course*>> parts;  // an axis of the node, times its component along the
                                                        // direction

@@ -71,8 +71,8 @@ struct GearElements {
 };
 std::span<const GearElements> gear_elements();
 
-/// The keys of tables of a scene that are not the keys of a plugin, in the form in which plugins give theirs.
-/// The reader, the checks, the command `describe` and the schema all use these tables.
+/// The keys of those tables of a scene that the program reads itself, in the form in which plugins describe
+/// their keys. The reader, the checks, the command `describe` and the schema all use these lists.
 std::span<const netloft_parameter> water_keys();
 std::span<const netloft_parameter> wave_keys();
 std::span<const netloft_parameter> tow_keys();

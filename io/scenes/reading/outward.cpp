@@ -9,8 +9,8 @@ namespace netloft::scenes {
 
 namespace {
 
-// If the volume between a panel and the centre is a smaller fraction than this of the volume of a ball around
-// the centre, it is not clear which side is inside.
+// Least volume between a panel and the centre, as a fraction of the volume of a ball around the centre. If
+// the volume is smaller, it is not clear which side of the panel is inside.
 constexpr double kLeastVolume = 1e-3;
 
 class Triangles {

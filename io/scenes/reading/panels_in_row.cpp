@@ -29,8 +29,9 @@ class PanelsInRow {
     }
   }
 
-  /// The number of meshes behind the aft edge of a panel, averaged over the nodes of the edge. Panels behind
-  /// it are counted before it: by a list instead of calls within calls, as very many may follow one another.
+  /// The number of meshes behind the aft edge of a panel, averaged over the nodes of the edge. The panels
+  /// behind it are counted first. They are kept in a list instead of recursive calls, because the row of
+  /// panels may be very long.
   double behind(std::size_t panel) {
     std::vector<std::size_t> to_count{panel};
     while (!to_count.empty()) {
@@ -38,7 +39,7 @@ class PanelsInRow {
       const std::size_t waiting = to_count.size();
       if (panels_[now].state == State::uncounted) {
         panels_[now].state =
-            State::waits;  // what waits for itself, in panels sewn in a ring, has none behind
+            State::waits;  // a panel in a ring of panels waits for itself, and has no meshes behind it
         for (const auto node : panels_[now].aft_edge) add_those_behind(node, now, to_count);
       }
       if (to_count.size() > waiting) continue;

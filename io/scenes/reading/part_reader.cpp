@@ -122,8 +122,8 @@ void PartReader::read_part(const std::string& name, formats::TableReader& table,
 }
 
 void PartReader::check_thickness(const Part& part, const Geometry& geometry, formats::TableReader& table) {
-  // Parts on a mesh are not checked: a rope of a mesh may be a short piece, and the file has the numbers of
-  // twines.
+  // Parts on a mesh are not checked: a rope of a mesh may be a short piece of a longer one, and for a bar of
+  // netting the mesh file gives the length and the number of twines independently.
   if (table.has("mesh")) return;
   if (const auto fault = thickness_fault(part, geometry))
     table.error(fault->key, fault->message, kThicknessCure);

@@ -113,8 +113,9 @@ class PartCheck {
     diagnostics_.warning(place_, part_.name + ": " + message, hint);
   }
 
-  /// Warns of a float whose given buoyancy does not fit its volume and mass, which then count for its inertia
-  /// only. If no mass is given, any buoyancy up to the weight of the displaced water fits.
+  /// Warns of a float whose given buoyancy does not fit its volume and mass. The given buoyancy is used, and
+  /// volume and mass then count for inertia only. Without a mass, any buoyancy up to the weight of the
+  /// displaced water fits.
   void check_buoyancy_of_float() {
     const double given = number(parameter::kFloatBuoyancy), volume = number(parameter::kFloatVolume),
                  mass = number(parameter::kFloatMass);

@@ -32,8 +32,8 @@ double at_corner(double before, double after) {
   return std::abs(before) < std::abs(after) ? before : after;
 }
 
-/// The moments of a ship's path, with further moments in between, so that the course follows (1); `turns` is
-/// dψ/dt at each of them.
+/// The moments of a ship's path, with further moments in between, so that the course follows (1) in
+/// ship_course.hpp; `turns` is dψ/dt, the rate of turn [rad/s], at each of them.
 struct Row {
   std::vector<gears::ShipMoment> moments;
   std::vector<double> turns;

@@ -109,8 +109,8 @@ class RiderMaker {
       table_.error("on", formats::in_quotes(name) + " is no whole part that " + type_.type + " can use");
   }
 
-  /// Makes an element on the origin of a body, or on one of its points if the element has the datum `arm`,
-  /// the position of the point.
+  /// Makes an element on the origin of a body. If the element type has the datum `arm` (the position of a
+  /// point on the body), the element may be on a named point instead.
   void stand_on_body(const Joiner::Ends& set, bool is_whole, const Mention& at) {
     const auto& body = draft_.geometries[set.part].body;
     if (!body || !(is_whole || declares(type_, datum::kArm)))

@@ -41,7 +41,7 @@ Ramp ramp_at(double length, double time) {
   return {q * q * (3 - 2 * q), 6 * q * (1 - q) / length};
 }
 
-/// The functions (4) at the height ζ, written with powers of e that do not overflow.
+/// The functions C and S, (4) in airy.hpp, at the height ζ, written with powers of e that do not overflow.
 struct Profile {
   Profile(double k, double d, double zeta) {
     const double down = std::exp(k * zeta), up = std::exp(-k * (zeta + 2 * d)),

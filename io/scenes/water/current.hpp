@@ -13,8 +13,8 @@ Current read_current(formats::TableReader& water);
 /// The velocities of a current at one time, from its lowest height to its highest [m/s].
 using VelocitiesOverHeight = std::vector<std::array<double, 3>>;
 
-/// The velocities of a current at the times and heights between which it is linear. At any other time or
-/// height its velocity is a mean of these, and so not greater than all of them.
+/// The velocities of a current at all its given times and heights. The current is linear in between and
+/// constant beyond, so that its speed never exceeds the greatest of these.
 std::vector<VelocitiesOverHeight> velocities_at_kinks(const Current& current);
 
 }  // namespace netloft::scenes

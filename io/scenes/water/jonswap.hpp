@@ -6,9 +6,9 @@
 
 namespace netloft::scenes {
 
-/// The spectrum of a sea that still grows under the wind (K. Hasselmann et al., "Measurements of wind-wave
-/// growth and swell decay during the Joint North Sea Wave Project", Deutsche Hydrographische Zeitschrift A8
-/// (12), 1973):
+/// The spectrum S(f) [m² s] over the frequency f [Hz] of a sea that still grows under the wind (K. Hasselmann
+/// et al., "Measurements of wind-wave growth and swell decay during the Joint North Sea Wave Project",
+/// Deutsche Hydrographische Zeitschrift A8 (12), 1973):
 ///   S(f) ~ f⁻⁵ exp(−5/4 (f_p/f)⁴) γ^exp(−(f/f_p − 1)²/(2 σ²)),  σ = 0.07 up to f_p, 0.09 above it     (1)
 ///   ∫ S df = H_s²/16                                                                                  (2)
 struct Jonswap {
