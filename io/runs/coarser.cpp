@@ -49,8 +49,8 @@ bool has_middles(const scenes::PartGeometry& part) {
   return middles_of(part) > 0 && part.nodes.size() == corners_of(part) + middles_of(part);
 }
 
-/// The shape of a part, from the node positions x of a scene that has it. Nodes of another division of the
-/// part find their positions here.
+/// The shape of a part in a scene with the node positions x [m]. It gives positions to the nodes of another
+/// division of the same part.
 class Shape {
  public:
   Shape(const scenes::PartGeometry& part, const std::vector<double>& x) : part_(part), x_(x) {}

@@ -20,8 +20,9 @@ namespace netloft::runs {
 namespace {
 
 constexpr int kFromElsewhere = 100;  // limit of iterations from an initial guess of the user
-// Largest force in a loose hold, as a fraction of the largest load on a node. Forces below the tolerance that
-// a search leaves at thousands of nodes add up to less in such a hold.
+// Largest force in a loose hold (one that only keeps the gear from drifting), as a fraction of the largest
+// load on a node. A search leaves forces below its tolerance at thousands of nodes; their sum in such a hold
+// is smaller.
 constexpr double kLoadOfLoose = 1e-3;
 
 /// Reports to the caller the processor time that a search may take and, when destroyed, that there is no
@@ -81,8 +82,8 @@ void reject_crossed(const scenes::LoadedScene& loaded, const Assembler& assemble
                           : ". No gear is meant to have this shape; start each board on its own side"));
 }
 
-/// Rejects equilibria in which a loose hold bears load: without the hold, the gear would not be in
-/// equilibrium there.
+/// Rejects equilibria in which a loose hold, which should only keep the gear from drifting, bears load:
+/// without the hold, the gear would not be in equilibrium there.
 void reject_held_up(const scenes::LoadedScene& loaded, const Assembler& assembler, Solution& s) {
   for (const scenes::Hold& hold : loaded.holds) {
     if (!hold.is_loose) continue;

@@ -7,7 +7,8 @@ namespace netloft::runs {
 
 namespace {
 
-/// Returns a stiffness of the part such that its unit times a second is the unit of `damping`; else nullptr.
+/// The value of a stiffness parameter of the part whose unit times a second is the unit of `damping`; nullptr
+/// if there is none.
 const double* find_stiffness(const Part& part, const ElementType& type, const netloft_parameter& damping) {
   for (const netloft_parameter& p : type.parameters) {
     if (!(p.flags & NETLOFT_STIFFNESS) || std::string(p.unit) + " s" != damping.unit) continue;

@@ -34,7 +34,7 @@ void side_text(const char* which, const Result& result, Out out) {
 // The lines of the summary name at most this many changes, because they are read at a glance.
 constexpr std::size_t kShownChanges = 3;
 
-/// Joins the first texts in one line, and adds the number of those left out.
+/// Joins the first kShownChanges texts in one line, and says how many more there are.
 std::string first_of(const std::vector<std::string>& all) {
   std::string text;
   for (std::size_t i = 0; i < std::min(all.size(), kShownChanges); ++i) text += (i ? "; " : "") + all[i];

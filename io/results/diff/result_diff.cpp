@@ -24,8 +24,8 @@ void add_vector(const std::string& name, const std::array<double, 3>& force, Num
   for (std::size_t axis = 0; axis < 3; ++axis) numbers[name + "/" + "xyz"[axis]] = {"N", force[axis]};
 }
 
-/// All numbers of a result: "results/lowest_z", "gear/mouth/area", "held/warp/x". `with_forces` adds the
-/// forces by part, which figures of a gear also contain.
+/// All numbers of a result: "results/lowest_z", "gear/mouth/area", "held/warp/x". If `with_forces`, the
+/// forces on each part are included; callers leave them out if the figures of the gear state them.
 NumberMap numbers_of(const Result& result, bool with_forces) {
   NumberMap numbers;
   for (const auto& s : result.scalars)

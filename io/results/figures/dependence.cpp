@@ -37,8 +37,8 @@ struct Numbers {
   std::vector<NamedScalar> scalars, figures;
 };
 
-/// The numbers at the positions of the solution `there`; nullopt if it has no positions, or if forces cannot
-/// be evaluated at them.
+/// The numbers at the positions of the solution `there`; nullopt if the solution has no positions, or if
+/// forces cannot be evaluated there.
 std::optional<Numbers> numbers_at(const scenes::LoadedScene& loaded, Assembler& assembler, Solution there) {
   there.residual.assign(there.x.size(), 0.0);
   const Kinematics motion = at_rest(there);

@@ -11,7 +11,7 @@ std::string spoken(std::string name);
 /// for "mouth/headline_height". Empty for other figures.
 std::string principal_name(const std::string& figure);
 
-/// Whether the figures contain some of a net plan, which follow those of rigid bodies.
+/// Whether the figures include those of a net plan. In the list they come after the figures of rigid bodies.
 bool are_of_plan(const std::vector<NamedScalar>& figures);
 
 }  // namespace netloft::results

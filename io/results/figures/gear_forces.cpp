@@ -114,17 +114,17 @@ double fraction_on_ground(const GearView& gear, std::uint32_t rope,
   return on / all;
 }
 
-/// One stretch of the footrope, to port and to starboard together: its length, the length of it that is on
-/// the ground [m], and the normal force of the ground [N].
+/// One stretch of the footrope, both sides of the gear together: its length [m], how much of this length is
+/// on the ground [m], and the normal force of the ground [N].
 struct OnGround {
   double length = 0, touching = 0, force = 0;
 };
 
 constexpr int kStretches = 5;
 
-/// Divides the contact of a node among the stretches. The node represents the rope between the distances
-/// `from` and `to` from the middle; `half` is the length of one side. Lengths and force are divided in
-/// proportion to the overlap.
+/// Divides the contact of a node among the stretches, in proportion to their overlap with the piece of rope
+/// that the node represents. This piece lies between the distances `from` and `to` from the middle of the
+/// footrope [m]; `half` is the length from the middle to an end [m].
 void add_to_stretches(double from, double to, double half, double force, bool touches,
                       std::array<OnGround, kStretches>& all) {
   for (int k = 0; k < kStretches; ++k) {
@@ -136,8 +136,8 @@ void add_to_stretches(double from, double to, double half, double force, bool to
   }
 }
 
-/// The footrope, divided into equal stretches from its middle to its ends. In a half gear it starts in the
-/// middle.
+/// The footrope, divided into equal stretches from its middle to its ends. In a half gear the rope starts in
+/// the middle.
 std::array<OnGround, kStretches> stretches_of(const GearView& gear, std::uint32_t footrope,
                                               const std::map<std::uint32_t, double>& forces) {
   const auto& nodes = gear.nodes_of(footrope);

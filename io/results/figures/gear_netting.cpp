@@ -28,7 +28,8 @@ struct Amount {
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-/// Adds the areas (3) of the triangles of one family that belong to panel `panel`.
+/// Adds the areas, (3) of gear_figures.hpp, of those triangles of a family (elements of one type) that belong
+/// to panel `panel`.
 void add_triangles(const GearView& gear, const ElementFamily& family, std::uint32_t panel, Amount& amount) {
   for (std::size_t e = 0; e < family.size(); ++e) {
     if (family.part(e) != panel) continue;

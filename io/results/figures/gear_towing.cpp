@@ -24,8 +24,9 @@ Vector direction(const GearView& gear, std::uint32_t rope, bool from_start) {
   return (1 / norm(way)) * way;
 }
 
-/// The force in a rope at its start [N]. Tensions T are those at the middles of bars; along a warp they
-/// change evenly, so that the first two are extrapolated linearly. `l`: lengths of the bars.
+/// The force in a rope at its start [N]. T are the tensions at the middles of its bars [N], l the lengths of
+/// the bars [m]. The tension of a warp changes evenly, so that it is extrapolated linearly from the first two
+/// bars.
 Vector force_at_start(const GearView& gear, std::uint32_t rope, const std::vector<double>& T,
                       const std::vector<double>& l) {
   const Vector first = T[0] * direction(gear, rope, true);

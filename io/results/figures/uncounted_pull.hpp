@@ -10,9 +10,9 @@
 
 namespace netloft::results {
 
-/// Warns of holds that pull a towed gear forwards although no warp begins there, such as the block of a
-/// middle warp whose rope has no role: the figures of towing leave their pull out. `residual`: over all dofs
-/// [N].
+/// Warns of holds that pull a towed gear forwards at nodes where no warp begins, because the figures of
+/// towing leave this pull out. An example is the block of a middle warp whose rope has no role in the plan.
+/// `residual`: residual over all degrees of freedom [N].
 std::vector<std::string> uncounted_pull_warnings(const scenes::LoadedScene& loaded,
                                                  const Assembler& assembler, std::span<const double> residual,
                                                  const std::vector<NamedScalar>& figures);

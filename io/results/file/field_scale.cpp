@@ -11,7 +11,7 @@ namespace {
 
 // A logarithmic scale begins at this fraction of its upper end, or above.
 constexpr double kLeastOfLargest = 1e-4;
-// The middle range leaves out one in this number of values at either end.
+// The middle range of n values leaves out the n/kBeyond smallest and the n/kBeyond largest.
 constexpr std::size_t kBeyond = 50;
 constexpr std::size_t kSample = 20000;  // most values of one state from which the middle range is found
 constexpr double kTicks = 6;            // largest number of ticks of a legend

@@ -45,9 +45,9 @@ class OutputFields {
   std::vector<std::vector<std::size_t>> cells_;  // [family][element]: cell of the element
   std::size_t count_ = 0;                        // number of cells
 };
-/// A cell field with the coordinates (U, V) of a cell's corners on its own panel, in meshes; a node on a seam
-/// would have coordinates on several panels. Along a twine of diamond netting u = V + U or v = V - U is
-/// constant, so that pictures can draw twines from these coordinates.
+/// A cell field with the panel coordinates (U, V) of each corner of a cell, in meshes. They are stored by
+/// cell, because a node on a seam has different coordinates on each panel. Along a twine of diamond netting u
+/// = V + U or v = V - U is constant, so that pictures can draw twines from these coordinates.
 formats::StaticField label_corners(const scenes::LoadedScene& loaded, const Assembler& assembler);
 
 }  // namespace netloft::results

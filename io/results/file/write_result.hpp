@@ -32,12 +32,12 @@ void write_inputs(formats::Tree& tree, const scenes::LoadedScene& loaded, const 
 /// Writes the facts that are known when a run (static or a motion) has ended, except shapes and forces.
 void write_ending(formats::Tree& tree, const Result& result);
 
-/// The path under which a result with this outcome is written: `wanted`, or NAME.not-converged.hdf beside it
-/// if the result that is there has a better outcome, so that a worse result never replaces a better one.
+/// The path under which a result with this outcome is written, so that a worse result never replaces a better
+/// one: `wanted`, or NAME.not-converged.hdf beside it if `wanted` exists and has a better outcome.
 std::filesystem::path name_beside_better(const std::filesystem::path& wanted, const std::string& outcome);
 
-/// Writes a static result with its shapes into `file` (layout: io/formats/hdf5/LAYOUT.md), which is then
-/// complete but still has the name of a file that grows.
+/// Writes a static result with its shapes into `file` (layout: io/formats/hdf5/LAYOUT.md). The file is then
+/// complete, but keeps its temporary name until ResultFile::finish().
 void write_result(formats::ResultFile& file, const scenes::LoadedScene& loaded, Assembler& assembler,
                   const SolvedShapes& shapes, const Result& result);
 

@@ -10,7 +10,7 @@
 
 namespace netloft::results {
 
-/// The findings of a MotionWatch so far, from which it continues.
+/// The findings of a MotionWatch so far. A resumed motion continues from them.
 struct MotionFindings {
   double t = 0, numerical = 0;  // time of the last output [s], energy that the scheme had taken by then [J]
   std::vector<double> v;        // velocities of the nodes at the last output, three each; empty before the
