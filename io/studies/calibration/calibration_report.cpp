@@ -15,9 +15,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Out = std::back_insert_iterator<std::string>;
 
-// kInseparable: if the correlation of two parameters is larger, only a combination of them is known.
-// kUnknown: if the deviation of a parameter is a larger fraction of its prior deviation, the measurements do
-// not determine it.
+// If two parameters have a correlation above kInseparable, the measurements determine only a combination of
+// them. If the deviation of a parameter is above kUnknown times its prior deviation, the measurements do not
+// determine it.
 constexpr double kInseparable = 0.95, kUnknown = 0.9;
 
 /// A warning about a strong correlation.

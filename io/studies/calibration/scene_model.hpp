@@ -51,15 +51,15 @@ class SceneModel : public Model {
 std::vector<std::string> overrides_of(const CalibrationFile& file, std::size_t scene,
                                       const std::vector<double>& parameters);
 
-/// Opens every scene to find errors before anything is solved: at the prior means of the variables, and at
-/// both ends of the interval of each variable. Errors in keys, values and figures are reported to
-/// `diagnostics`. Returns the measurements in the order of the file, converted to the units of the figures.
-/// `on_budget` receives the processor time allowed for the figures of a scene [s].
+/// The measurements in the order of the calibration file, converted to the units of their figures.
 struct CheckedCalibration {
   std::vector<Measurement> measured;
   std::vector<std::string> units;
   bool refused = false;
 };
+/// Opens every scene to find errors before anything is solved: at the prior means of the variables, and at
+/// both ends of the interval of each variable. Errors in keys, values and figures are reported to
+/// `diagnostics`. `on_budget` receives the processor time allowed for the figures of a scene [s].
 CheckedCalibration check_calibration(const CalibrationFile& file, const std::filesystem::path& folder,
                                      Registry& registry, formats::Diagnostics& diagnostics,
                                      const std::function<void(double)>& on_budget);

@@ -22,8 +22,8 @@ struct Discretisation {
   std::string part;  // name of the part whose cells are counted
   std::vector<MeshResult> levels;
   double order = std::numeric_limits<double>::quiet_NaN();  // order on the three finest meshes
-  // Whether the observed orders agree. If not, errors are distances to the finest mesh, which itself has no
-  // error.
+  // Whether the observed orders agree. If not, errors are distances to the finest mesh, and the error of the
+  // finest mesh is unknown.
   bool steady = false;
 };
 

@@ -17,18 +17,18 @@ constexpr double kSafetyOfScatter = 2;  // safety factor in (5)
 // less.
 constexpr double kNoise = 0.1;
 
-/// The right side of (2), which increases with p.
+/// The right side of (2) in richardson.hpp, which increases with the order p.
 double ratio_of(double p, double h3, double h2, double h1) {
   return (std::pow(h3 / h1, p) - std::pow(h2 / h1, p)) / (std::pow(h2 / h1, p) - 1);
 }
 
-/// The limit (3) from the values on a coarse mesh of width h2 and a fine one of width h1.
+/// The limit, (3) in richardson.hpp, from the values on a coarse mesh of width h2 and a fine one of width h1.
 double limit_of(double order, double coarse, double fine, double h2, double h1) {
   return fine + extrapolation_weight(order, h2, h1) * (fine - coarse);
 }
 
-/// The error estimate (5), from the meshes `first` to the finest. trend.limit is the limit (3), NaN if p is
-/// not credible.
+/// The error estimate, (5) in richardson.hpp, from the meshes `first` to the finest. trend.limit is NaN if
+/// the observed order is not credible.
 double bound(const Trend& trend, const std::vector<double>& values, const std::vector<double>& h,
              std::size_t asked, std::size_t first) {
   const std::size_t last = values.size() - 1;

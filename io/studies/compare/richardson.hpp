@@ -14,9 +14,9 @@ namespace netloft::studies {
 ///   e = 2 max(|f − f*|, |f − f* by p = 1 from f₃ and f₁|, |f − f_k|)    elsewhere         (5)
 /// f is a number computed on a mesh of width h (in any unit), f* its limit for h → 0, p the order of
 /// convergence. f₁, f₂, f₃ are the values on three meshes, f₁ on the finest, and f_k any of them. e estimates
-/// the error of f on a mesh that the caller names. (4) is for similar meshes, each of which divides the cells
-/// of the next coarser one evenly, if p is credible. Gears of netting are triangulated anew for each mesh,
-/// and the scatter between such meshes makes observed orders unreliable. For such meshes (5) takes the
+/// the error of f on a mesh that the caller names. If p is credible, (4) holds for similar meshes, each of
+/// which divides the cells of the next coarser one evenly. Gears of netting are triangulated anew for each
+/// mesh, and the scatter between such meshes makes observed orders unreliable. For such meshes (5) takes the
 /// largest of three differences: from the limit (3), if p is credible; from a limit with p = 1 between the
 /// outer meshes, because gears usually converge with first order; and from the values f_k on the other
 /// meshes. 1.25 is the safety factor of P. J. Roache, Verification and Validation in Computational Science

@@ -17,7 +17,8 @@ using Values = std::vector<VariableValue>;
 // If more than this fraction of the change in a step remains after all halvings, the change is a jump. A
 // smooth path leaves 2^-5 of the change, a jump leaves all of it.
 constexpr double kLeftOfAJump = 0.25;
-constexpr double kElsewhere = 4;  // least ratio of distance to extrapolated change on another branch
+// An equilibrium farther away than this times the extrapolated change is on another branch.
+constexpr double kElsewhere = 4;
 
 bool has_converged(const Solution& s) { return s.status == SolveStatus::converged; }
 
@@ -109,10 +110,10 @@ Reached Branch::reach(std::shared_ptr<runs::PreparedScene> scene, const Values& 
   return reached;
 }
 
-/// Returns the points from which the next one is predicted: the last two if they are on a line with the next,
-/// else the last one and a point before it on the tangent. To reuse the movement along the same variable in
-/// the previous row of points would save the tangent, but predicts worse: on the trawl 83-112 at sea with 300
-/// nodes and 16 samples, points took 4.9 factorisations on average instead of 4.2 to 4.6.
+/// Returns the points from which the next one is predicted: the last two if all three are on a line, else the
+/// last one and a point before it on the tangent. Instead of the tangent one could reuse the movement along
+/// the same variable in the previous row of points, but this predicts worse: on the trawl 83-112 at sea with
+/// 300 nodes and 16 samples, points took 4.9 factorisations on average instead of 4.2 to 4.6.
 Branch::Way Branch::known_places(const Values& values) {
   if (trail_.size() == 2)
     if (const auto ratio = way_on(trail_[0].values, trail_[1].values, values); ratio && *ratio != 0)

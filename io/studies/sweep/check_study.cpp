@@ -72,8 +72,8 @@ class StudyInspection {
     return state == runs::PreparedScene::State::ready;
   }
 
-  /// From now on leaves out the variables that caused errors in the last scene. Returns false if no variable
-  /// did.
+  /// Leaves out, from now on, the variables that caused errors in the scene read last. Returns false if there
+  /// are none.
   bool leave_out_blamed() {
     const auto is_blamed = [&](std::size_t v) {
       const auto& keys = file_.variables[v].variable.keys;

@@ -38,7 +38,7 @@ double squared_distance(const Numbers& a, const Numbers& b) {
   return sum;
 }
 
-/// Estimates one number at a place, with the error (1).
+/// Estimates one number at a place, with the error (1) of estimate.hpp.
 class NumberEstimate {
  public:
   /// The first `listed` coordinates belong to variables with listed values; the others are sampled.
@@ -108,8 +108,9 @@ class NumberEstimate {
     return group;
   }
 
-  /// The largest error of estimates that are made without a group of points, at those points of the group
-  /// that are nearest to the place. Their number is that of the corners of a cell between listed values.
+  /// The largest error of the estimates at points of a group that are made from all points outside the group.
+  /// Only the points of the group nearest to the place count, as many as a cell between listed values has
+  /// corners.
   double error_without(const Group& group) const {
     const Numbers residuals = kriging_.residuals_without(group);
     std::vector<std::size_t> order(group.size());
@@ -148,8 +149,8 @@ class Estimator {
   }
 
  private:
-  /// Finds the free variables, along which figures are interpolated: the requested value of a listed variable
-  /// is between its listed values. Sampled variables come last.
+  /// Finds the free variables, along which figures are interpolated: first the listed variables whose
+  /// requested value lies between listed values, then the sampled variables.
   void find_free() {
     for (const bool sampled : {false, true})
       for (std::size_t v = 0; v < site_.size(); ++v)

@@ -105,7 +105,7 @@ class IndexEstimator {
     return sobol_indices(f, varied, sample);
   }
 
-  /// Adds the first term of (1), from groups of samples, to the errors `lack`.
+  /// Adds to the errors `lack` the first term of (1) in figure_indices.hpp, from groups of samples.
   void add_samples(const SobolIndices& all, std::vector<SobolIndex>& lack) {
     const std::set<std::size_t> samples(known_.samples.begin(), known_.samples.end());
     if (std::none_of(coordinates_.begin(), coordinates_.end(), [](const auto& c) { return c.is_sampled; }))
@@ -131,7 +131,7 @@ class IndexEstimator {
     }
   }
 
-  /// Adds the second term of (1), from values of listed variables, to the errors `lack`.
+  /// Adds to the errors `lack` the second term of (1) in figure_indices.hpp, from values of listed variables.
   void add_levels(const SobolIndices& all, std::vector<SobolIndex>& lack) {
     for (std::size_t c = 0; c < coordinates_.size(); ++c) {
       if (coordinates_[c].is_sampled) continue;
@@ -162,8 +162,8 @@ class IndexEstimator {
     return group;
   }
 
-  /// The differences between the indices without a group of points and those of all points; zeros if too few
-  /// points would remain.
+  /// The differences between the indices from all points and those from the points outside a group; zeros if
+  /// too few points are outside.
   std::vector<SobolIndex> without(const Group& group, const SobolIndices& all) {
     std::vector<SobolIndex> differences(all.variables.size());
     if (!scales_ || group.empty() || 2 * group.size() > known_.points.size()) return differences;

@@ -126,8 +126,8 @@ void read_head(const Json& json, Study& study) {
     study.files.emplace_back(file.at("path").get<std::string>(), file.at("hash").get<std::string>());
 }
 
-/// Checks that the values that tables show are those to which the scenes are set. The values belong to the
-/// columns from `first` on.
+/// Checks that the scenes are set to the values that tables show. The values belong to the columns from
+/// `first` on.
 void require_set(const Study& study, std::size_t first, const std::vector<VariableValue>& values,
                  const std::vector<std::string>& set) {
   std::vector<std::string> expected;

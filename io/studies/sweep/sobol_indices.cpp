@@ -13,8 +13,8 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// Function values of one replicate: at all points a, at all points b, and for each variable i at all points
-/// c_i.
+/// Function values of one replicate at the points a, b and c_i of sobol_indices.hpp; `c` has one list for
+/// each variable i.
 struct TripleOfValues {
   Numbers a, b;
   std::vector<Numbers> c;
@@ -36,7 +36,8 @@ TripleOfValues evaluate(const UnitFunction& f, std::size_t d, std::size_t points
   return values;
 }
 
-/// The indices (1) and (2) of one replicate, and the mean and deviation of the function.
+/// The indices, (1) and (2) in sobol_indices.hpp, of one replicate, and the mean and deviation of the
+/// function.
 SobolIndices indices_of(const TripleOfValues& values) {
   Numbers all = values.a;
   all.insert(all.end(), values.b.begin(), values.b.end());

@@ -29,8 +29,8 @@ struct SobolSample {
 using UnitFunction = std::function<double(const std::vector<double>&)>;
 
 /// Sobol's indices of first order and total (I. M. Sobol, Mathematics and Computers in Simulation 55, 2001).
-/// Each of N points of Sobol's sequence in 2 d dimensions gives two points a and b in d dimensions; c_i is a
-/// with variable i from b. The sums are over the N points:
+/// Each of N points of Sobol's sequence in 2 d dimensions gives two points a and b in d dimensions. c_i is
+/// the point a with its variable i replaced by that of b. The sums are over the N points:
 ///   S_i = 1/N Σ f(b) (f(c_i) − f(a)) / V                                                    (1)
 ///   T_i = 1/(2N) Σ (f(a) − f(c_i))² / V                                                     (2)
 /// V is the variance of f over all points a and b; in (1) the mean of f is subtracted. (1): A. Saltelli et

@@ -13,7 +13,7 @@ namespace netloft::studies {
 
 namespace {
 
-/// The standard normal distribution function F in (3).
+/// The standard normal distribution function F in (3) of distribution.hpp.
 double normal_below(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
 }  // namespace
