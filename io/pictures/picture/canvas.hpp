@@ -28,7 +28,8 @@ class Canvas {
   std::size_t height() const { return height_; }
   /// Adds colour to a pixel; `depth` increases towards the eye. Fragments behind an opaque one are dropped.
   void add(std::size_t x, std::size_t y, double depth, const Colour& colour, double alpha);
-  /// The colour of a pixel, with its fragments composited over the ground from back to front.
+  /// The colour of a pixel: its fragments are composited from back to front over the background colour
+  /// `ground`.
   Colour resolve(std::size_t x, std::size_t y, const Colour& ground) const;
   void clear();
 

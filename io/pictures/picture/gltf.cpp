@@ -26,8 +26,8 @@ constexpr int kFloat = 5126, kArrayBuffer = 34962, kLinear = 9729, kLinearMipmap
 /// Converts a colour component from sRGB (IEC 61966-2-1) to linear, which glTF uses for vertices.
 float linear(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
 
-/// One part in one of the three modes: positions and colours of its vertices, and for netting the panel
-/// coordinates in meshes, so that scenes can read the file as a mesh (io/formats/mesh).
+/// The vertices of one part in one of glTF's modes (triangles, lines, points): positions and colours, and for
+/// netting the panel coordinates in meshes, so that scenes can read the file as a mesh (io/formats/mesh).
 struct Vertices {
   std::vector<float> positions, colours, meshes;
   bool has_meshes = true;

@@ -92,8 +92,8 @@ void put_mesh(const results::StoredMesh& mesh, Json& json) {
 
 using Origin = std::array<double, 3>;
 
-/// Positions relative to the origin, rounded to a power of two below a millionth of the gear's size, because
-/// further digits do not compress.
+/// Positions relative to the origin, rounded to multiples of a power of two below a millionth of the gear's
+/// size, because further digits do not compress.
 std::vector<double> shifted(std::vector<double> points, const Origin& origin) {
   double size = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -11,13 +11,14 @@ namespace netloft::program {
 /// Adds all commands with their options, in groups. Parsing sets `chosen.run`.
 void add_commands(CLI::App& app, Chosen& chosen);
 
-/// A sentence about the first word, or the second word after `study`, if there is no such command, with the
-/// most similar command. Empty if the command is known. `before` is "study " for actions of `study`.
+/// A sentence that the program has no command of this name, with the most similar command. The name is the
+/// first word, or for actions of `study` the second word; `before` is then "study ". Empty if the command is
+/// known.
 std::string unknown_command(const CLI::App& app, std::span<const std::string> words,
                             const std::string& before = "");
 
-/// A sentence about the first unknown option on a command line that cannot be read, with the most similar
-/// option or a command that has this option. Empty if the command has all options.
+/// A sentence about the first unknown option on a command line that cannot be read. It names the most similar
+/// option, or a command that has this option. Empty if all options are known.
 std::string unknown_option(const CLI::App& app);
 
 }  // namespace netloft::program

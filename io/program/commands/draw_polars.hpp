@@ -10,9 +10,9 @@ namespace netloft::program {
 /// Whether a catalogue file has tables `[polar.NAME]`.
 bool holds_polars(const std::filesystem::path& file);
 
-/// Draws the polars of a catalogue file, coefficients of the force on boards over the angle of attack: the
-/// numbers in their tables, and the curves between these numbers with which otter boards are computed. The
-/// result is SVG, or an HTML page with a plot of each polar.
+/// Draws the polars of a catalogue file as SVG, or as an HTML page with a plot of each polar. A polar is a
+/// table of the force coefficients of a board over the angle of attack. A plot shows the numbers of the
+/// table, and the curve between them with which otter boards are computed.
 std::string draw_polars(const std::filesystem::path& file, bool is_page, formats::Diagnostics& diagnostics);
 
 }  // namespace netloft::program

@@ -190,8 +190,8 @@ void limit_checks(double seconds) {
   setitimer(ITIMER_PROF, &limit, nullptr);
 }
 
-// The process that watches its own end, and whether its last step has been reached. Processes that it forks
-// do not watch theirs.
+// `watched` is the process that reports its own early end; processes that it forks report nothing.
+// `is_at_its_last_step`: whether the program has reached last_step().
 pid_t watched = 0;
 volatile bool is_at_its_last_step = false;
 
@@ -261,8 +261,7 @@ DamagedFileWatch::~DamagedFileWatch() { damaged.set(""); }
 
 #if defined(__linux__)
 // Plugins find these functions before those of the C library, because the program comes first in the order in
-// which symbols are searched for. Nothing that the C library registers for the end of a program sees a call
-// of _exit.
+// which symbols are searched for. They are needed because a call of _exit runs no handlers of atexit().
 extern "C" {
 NETLOFT_EXPORT void _exit(int status) { netloft::program::end_called_from_outside(status); }
 NETLOFT_EXPORT void _Exit(int status) noexcept { netloft::program::end_called_from_outside(status); }

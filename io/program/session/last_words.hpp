@@ -11,16 +11,17 @@ namespace netloft::program {
 /// stack overflowed. The exit code is then kOther. It is also kOther, with a sentence, if anything ends the
 /// program before last_step() and not by end_at_once(): exit, quick_exit, _exit or _Exit in a plugin.
 void explain_crashes();
-/// Marks the last step of the program, and returns its exit code: `code`, unless a plugin broke a rule of the
-/// boundary that nobody has reported.
+/// Marks the last step of the program, and returns its exit code. This is `code`, but kOther instead of
+/// kDone if a plugin broke a rule of the plugin boundary and nobody has reported it.
 int last_step(int code);
-/// Ends the process, without what is registered for its end.
+/// Ends the process without the handlers of atexit().
 [[noreturn]] void end_at_once(int code);
-/// Serves callers of _exit and _Exit outside the program.
+/// Serves calls of _exit and _Exit in plugins and libraries: reports the early end, and ends the process.
 [[noreturn]] void end_called_from_outside(int code);
 
-/// Reports crashes in conformance checks of `type` in the same way, and names the check. Checks may take
-/// `seconds` of processor time, and an interruption also ends them. An empty `type` ends this mode.
+/// Reports crashes in conformance checks of the component `type` like explain_crashes(), and names the check.
+/// Checks may take `seconds` of processor time, and an interruption also ends them. An empty `type` ends this
+/// mode.
 void explain_crashes_of(const std::string& type, double seconds = 0);
 
 /// During its lifetime a crash ends the program with a sentence about the file and exit code 2, because HDF5

@@ -5,8 +5,8 @@
 
 namespace netloft::program {
 
-// Standard output and standard error belong to these functions and to Terminal: texts of files pass through
-// them, and reach a terminal without the control characters that it would obey (io/formats/text).
+// Only these functions and Terminal write to standard output and standard error. They remove from all texts
+// the control characters that a terminal would obey (io/formats/text).
 
 /// Prints an answer, or a part of one, on standard output.
 void print(std::string_view text);

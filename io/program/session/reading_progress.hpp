@@ -12,8 +12,8 @@ namespace netloft::program {
 class Terminal;
 
 /// Shows the progress of reading and meshing scenes, and ends both by formats::Interrupted after an
-/// interruption. It draws in a thread of its own, because one step may take long, and only while something is
-/// read. Nothing else may write to the terminal during that time.
+/// interruption. It draws in a thread of its own, because one step may take long. It draws only while
+/// something is read; nothing else may write to the terminal during that time.
 class ReadingProgress : public formats::WorkFollower {
  public:
   explicit ReadingProgress(Terminal& terminal);

@@ -82,7 +82,7 @@ void Watchdog::begin_writing(std::function<void()> abandon) {
 }
 
 void Watchdog::end_writing() {
-  const std::lock_guard lock(mutex_);  // never comes while the watchdog abandons the result
+  const std::lock_guard lock(mutex_);  // cannot be taken while the watchdog abandons the result
   abandon_ = nullptr;
 }
 

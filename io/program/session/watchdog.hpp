@@ -37,10 +37,11 @@ class Watchdog {
 
   /// Sets the processor time that is allowed from now on [s].
   void allow(double seconds);
-  /// From now on the result is written, which may take half a second of processor time after an
-  /// interruption. If it takes longer, calls `abandon` in the thread of the watchdog and ends the program.
+  /// Announces that the result is written from now on. After an interruption, writing may take half a second
+  /// of processor time; then the thread of the watchdog calls `abandon` and ends the program.
   void begin_writing(std::function<void()> abandon);
-  /// Ends this: the result is complete, and an interruption no longer prevents that it gets its name.
+  /// Ends the time of begin_writing(): the result is complete, and an interruption can no longer keep it from
+  /// getting its final name.
   void end_writing();
 
  private:
