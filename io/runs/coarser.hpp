@@ -15,9 +15,10 @@ namespace netloft::runs {
 enum class Halved { all, even_only };
 
 /// Returns the changes to the scene file that halve the cells of its ropes and panels, and that give a gear
-/// from a net plan a quarter of its nodes. A part keeps its cells if it has too few, or if a hold, a join or
-/// a rider (a part on the nodes of other parts) names one of its nodes by number, because the number would
-/// then mean another place. A gear with such a part keeps all its nodes. Empty if nothing can be halved.
+/// from a net plan a quarter of its nodes. A part keeps its cells if it has too few. It also keeps them if a
+/// hold, a join or a rider (a part on the nodes of other parts) names one of its nodes by number, because the
+/// number would then mean another place. A gear with such a part keeps all its nodes. Empty if nothing can be
+/// halved.
 std::vector<formats::Change> halved_cells(const scenes::LoadedScene& fine, Halved which);
 
 /// Positions of the nodes of scene `to` [m], 3 per node, interpolated from the positions `x` of scene `from`,

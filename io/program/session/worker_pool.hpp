@@ -15,10 +15,10 @@ struct WorkerEnd {
   std::string sentence() const;
 };
 
-/// Starts programs for jobs 0 … count − 1 in this order, at most `jobs` at a time, with the command lines of
-/// `command`, and calls `on_end` when one ends. After an interruption it starts no more programs and
-/// terminates those that run; they are also terminated if this program ends. Returns the number of started
-/// jobs.
+/// Starts one program for each of the jobs 0 … count − 1, in this order, with the command line that `command`
+/// gives for the job. At most `jobs` programs run at a time; `on_end` is called when one ends. After an
+/// interruption no more programs are started, and those that run are terminated; they are also terminated if
+/// this program ends. Returns the number of started jobs.
 std::size_t run_workers(std::size_t count, int jobs,
                         const std::function<std::vector<std::string>(std::size_t)>& command,
                         const std::function<void(std::size_t, const WorkerEnd&)>& on_end,

@@ -11,9 +11,9 @@ namespace netloft::results {
 std::vector<std::string> overload_warnings(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                            const Response& answer);
 
-/// Returns a sentence for every part with elements outside their range of validity (NETLOFT_OUTPUT_DOUBT),
-/// for half a gear that has crossed its plane of symmetry, and for every pair of bodies that have crossed
-/// each other.
+/// Returns a sentence for every part with elements outside their range of validity (outputs with the role
+/// NETLOFT_OUTPUT_DOUBT). Adds a sentence for half a gear that has crossed its plane of symmetry, and for
+/// every pair of bodies that have crossed each other.
 std::vector<std::string> doubt_warnings(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                         const Response& answer);
 

@@ -67,10 +67,11 @@ class Carrier {
   }
 
  private:
-  /// Which side of a part of the scene takes its positions from a part of the result. `all`: the whole part,
-  /// because both gears have the same extent. The other values are for a result of a half gear and a scene of
-  /// the whole gear. `both`: a part in the middle, whose starboard half the result has. `starboard`, `port`:
-  /// a part of a pair, whose starboard part the result has. Mirror images give the port side.
+  /// How a part of the scene takes its positions from a part of the result. `all`: node by node, because both
+  /// gears have the same extent. The other values are for a result of a half gear, which has the starboard
+  /// side only, and a scene of the whole gear. `both`: a part in the middle takes its starboard half from the
+  /// result. `starboard`, `port`: both parts of a pair take theirs from the starboard part. Mirror images
+  /// give the port side.
   enum class Side { all, both, starboard, port };
   struct Source {
     std::optional<std::uint32_t> part;

@@ -12,9 +12,9 @@ std::string fault_of_waves(const Environment& e);
 /// The key `waves` of [water]: Airy waves, as in FEMNET's first wave model.
 std::string waves_text(const Environment& e);
 
-/// How much higher the crests of second-order waves are than those of linear ones [m], for waves with the
-/// amplitude a and the wave number k in water of the depth h:
+/// The height by which crests of second-order waves exceed those of linear waves [m]:
 ///   a² k (3 − tanh² k h)/(4 tanh³ k h)
+/// The waves have the amplitude a [m] and the wave number k [1/m], in water of the depth h [m].
 double rise_of_second_order(const Environment& e);
 
 /// The table [analysis] of a motion that begins at rest and lasts as long as that of the file.

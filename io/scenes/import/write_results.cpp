@@ -42,8 +42,8 @@ bool is_held(const SceneDraft& from, int node, int axis) {
   return from.gear.types[type].fixed[a] != 0 || from.gear.types[type].symmetry[a] != 0;
 }
 
-/// The name of the part with the bars of a cable that no drum hauls; if there is none, that of its first
-/// hauled bar; empty if there is neither.
+/// The name of the part with the bars of a cable that no drum hauls. If there is no such part, the name of
+/// the cable's first hauled bar; empty if the mesh has neither.
 std::string part_of_cable(const SceneDraft& from, std::size_t cable) {
   for (const auto& region : from.out.mesh.regions)
     if (region.name == cable_name(cable) || region.name.starts_with(cable_name(cable) + "-bar-"))

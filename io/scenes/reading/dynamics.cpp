@@ -85,9 +85,9 @@ std::vector<Course::Point> read_columns(formats::TableReader& table, const char*
 }
 
 /// Limits the slope of a cubic at a point, so that the curve stays between neighbouring points (F. N. Fritsch
-/// and R. E. Carlson, SIAM J. Numer. Anal. 17, 1980): its size is at most three times that of the flatter one
-/// of the two secants before and after the point, and zero if the secants have different signs or one of them
-/// is level.
+/// and R. E. Carlson, SIAM J. Numer. Anal. 17, 1980). `before` and `after` are the slopes of the secants to
+/// the neighbouring points. The result is at most three times the flatter of these two, and zero if their
+/// signs differ or one of them is zero.
 double limited(double slope, double before, double after) {
   if (!(before * after > 0)) return 0;
   const double most = 3 * std::min(std::abs(before), std::abs(after));

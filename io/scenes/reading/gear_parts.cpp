@@ -369,8 +369,8 @@ bool GearParts::is_carried_at(const std::string& point, const std::set<std::uint
 
 namespace {
 
-/// Replaces the number of pieces of one board (`number`) by the number at each of its contact points
-/// (`each`), which is the same whether one board or both are modelled. `shoes`: number of contact points of
+/// Replaces the key `number`, the pieces of one board, by the key `each`, the pieces at each of its contact
+/// points. `each` is the same whether one board or both are modelled. `shoes`: number of contact points of
 /// one board.
 void count_on_one_side(formats::Table& contact, double shoes) {
   if (contact.find("each")) return;

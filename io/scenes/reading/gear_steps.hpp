@@ -35,8 +35,9 @@ class GearSteps {
   /// Adds floats and weights once the nodes of the scene are numbered.
   virtual void add_pieces() {}
   /// The contact parts that keep the gear on the bed, as tables like those of `[parts]`; none without
-  /// `[elements.contact]`. There is one for each rope and body of the plan that touches the bed, unless all
-  /// its nodes are in `carried`, the nodes of contact parts that the scene file has itself.
+  /// `[elements.contact]`. There is one for each rope and body of the plan that touches the bed. `carried`
+  /// are the nodes of contact parts that the scene file has itself; a rope or body that has all its nodes
+  /// there gets none.
   virtual std::vector<std::pair<std::string, formats::Value>> contacts(const std::set<std::uint32_t>&) const {
     return {};
   }

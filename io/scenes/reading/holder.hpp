@@ -34,8 +34,8 @@ class Holder {
   explicit Holder(Scene& scene);
 
   /// Holds `nodes` of the scene, in the order of their set (an edge, for example). If an earlier entry
-  /// already holds a node along an axis, that entry keeps the reaction, so that the reactions of all entries
-  /// add up to the total on the gear.
+  /// already holds a node along an axis, the reaction along this axis belongs to the earlier entry only. The
+  /// reactions of all entries thus add up to the total on the gear.
   Hold hold(const HoldEntry& entry, const std::vector<std::uint32_t>& nodes, formats::TableReader& table);
 
  private:

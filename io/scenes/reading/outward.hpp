@@ -7,9 +7,9 @@
 
 namespace netloft::scenes {
 
-/// A panel whose triangles a rider (a part on other parts) copies: the index in the rider's nodes at which
-/// its corners begin, and whether its corners are known to be counter-clockwise seen from outside, as those
-/// of a net plan are.
+/// A panel whose triangles a rider (a part on other parts) copies. `begin` is the index in the rider's nodes
+/// at which the panel's corners begin. `is_outward` tells whether the corners of each triangle are known to
+/// be counter-clockwise seen from outside, as those of a net plan are.
 struct PanelBelow {
   std::size_t begin = 0;
   bool is_outward = false;

@@ -56,8 +56,8 @@ SurfacePoint through_corners(std::vector<Point> corner) {
 
 Vec3<double> vector(const Point& p) { return {p[0], p[1], p[2]}; }
 
-/// The surface of a tube: c(t) + r(t) (cos 2πs e₁ + sin 2πs e₂). c(t) runs from one point to another, r(t) is
-/// the radius, e₁ and e₂ are unit vectors across, with e₁ × e₂ along the tube and e₁ as far upwards as
+/// The surface of a tube: c(t) + r(t) (cos 2πs e₁ + sin 2πs e₂). c(t) is the axis from one point to another,
+/// r(t) the radius. e₁ and e₂ are unit vectors across, with e₁ × e₂ along the tube and e₁ as far upwards as
 /// possible.
 SurfacePoint round_an_axis(const Point& from, const Point& to, double radius, double radius_aft) {
   const Vec3<double> way = vector(to) - vector(from), a = (1 / norm(way)) * way;

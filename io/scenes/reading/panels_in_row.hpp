@@ -7,9 +7,9 @@
 
 namespace netloft::scenes {
 
-/// Corrects the datum to_aft, the meshes from a corner to the aft end, for netting that is cut into several
-/// panels one behind another. If the aft edge of a panel is sewn to panels of the same part, its to_aft grows
-/// by the meshes behind that edge, averaged over the nodes of the edge.
+/// Corrects the datum to_aft, the number of meshes from a corner to the aft end, for netting that is cut into
+/// several panels one behind another. If the aft edge of a panel is sewn to panels of the same part, the
+/// meshes behind this edge, averaged over its nodes, are added to the panel's to_aft.
 void count_meshes_through_seams(const std::vector<PanelBelow>& panels, Part& rider);
 
 }  // namespace netloft::scenes

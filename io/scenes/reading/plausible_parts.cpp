@@ -17,9 +17,9 @@ namespace {
 // Osmium is the densest element (CRC Handbook of Chemistry and Physics, 97th edition, section 4). In t/m3
 // every density is below 23.
 constexpr double kDensestElement = 22590, kSteel = 7850;  // [kg/m3]
-// A chain is a cylinder with the diameter of the wire of its links, so that chains of the library have 25 000
-// to 28 000 kg/m3, and footropes that include rollers or chain loops up to 30 000 kg/m3. Nothing is denser
-// than a chain of osmium.
+// A chain is modelled as a cylinder with the diameter of the wire of its links. Chains of the library
+// therefore have 25 000 to 28 000 kg/m3, and footropes with rollers or chain loops up to 30 000 kg/m3.
+// Nothing is denser than a chain of osmium.
 constexpr double kHeaviestChain = 28000, kDensestRope = kHeaviestChain * kDensestElement / kSteel;
 // Cork has 120 to 240 kg/m3 (L. J. Gibson and M. F. Ashby, Cellular Solids, 1997). The lightest solid fibre,
 // polypropylene, has 910 kg/m3. 0 means a rope without mass.

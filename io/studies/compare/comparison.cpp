@@ -15,9 +15,9 @@ namespace netloft::studies {
 
 namespace {
 
-// Two answers, improved by polish(), are different equilibria if they place some node farther apart than
-// kSame times the size of the gear, and also farther apart than kDoubt times the sum of the uncertainties of
-// the answers.
+// Two answers, improved by polish(), are different equilibria if the largest distance between their positions
+// of a node exceeds two limits: kSame times the size of the gear, and kDoubt times the sum of the
+// uncertainties of the answers.
 constexpr double kSame = 1e-6, kDoubt = 10;
 
 double diagonal_of(const Scene& scene) {

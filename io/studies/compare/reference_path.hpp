@@ -4,10 +4,10 @@
 
 namespace netloft::studies {
 
-/// The paths against which errors of motions are measured. An integrator from another plugin than the tested
-/// one computes a path, with an accuracy ten times finer than the tightest in the comparison, or with the
-/// tightest if the motion fails at the finer one. The uncertainty of this path is its distance from the path
-/// of a further integrator. Methods without damping of materials are compared with paths without it.
+/// The paths against which errors of motions are measured. Each is computed by an integrator from another
+/// plugin than the tested one. Its accuracy is ten times finer than the tightest in the comparison, or equal
+/// to the tightest if the motion fails at the finer one. The uncertainty of this path is its distance from
+/// the path of a further integrator. Methods without damping of materials are compared with paths without it.
 class ReferencePaths {
  public:
   /// `wanted`: the integrator to use; empty: the most trusted installed one. `tightest`: the smallest

@@ -16,9 +16,9 @@ class StudyError : public std::runtime_error {
 /// item. Equal studies give equal bytes.
 std::string manifest_text(const Study& study);
 
-/// Reads a manifest that manifest_text() wrote. Throws StudyError, with the line number if there is one, if
-/// the manifest is damaged (its checksum is wrong), if a name cannot be the name of a file or stand in a
-/// script, or if a value in its tables is not the value to which the scene is set.
+/// Reads a manifest that manifest_text() wrote. Throws StudyError, with the line number if there is one, for
+/// three faults: the manifest is damaged (its checksum is wrong); a name cannot be the name of a file or
+/// stand in a script; a value in its tables is not the value to which the scene is set.
 Study read_manifest(const std::filesystem::path& path);
 
 /// Paths of files in the folder of a study.

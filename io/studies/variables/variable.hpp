@@ -27,8 +27,8 @@ struct Interval {
   bool contains(double number) const { return number >= low && number <= high; }
 };
 
-/// Whether a text consists of letters, digits, - and _. Such texts are names of variables, which become
-/// columns of tables, paths in result files, and options such as --at NAME=VALUE.
+/// Whether a text can be the name of a variable, that is, consists of letters, digits, - and _. Such a name
+/// becomes a column of tables, a path in result files, and an option such as --at NAME=VALUE.
 bool is_variable_name(const std::string& text);
 
 /// The number of a value such as "2.5 kn" in a unit; nullopt if it is no number of its dimension.
