@@ -7,10 +7,10 @@
 namespace netloft::runs {
 
 /// Gives the nodes of panel `to` the shape that panel `from` has. The panels are divisions of one piece of
-/// netting into different triangles, and a place on this netting is a pair of twine coordinates (u, v). Each
-/// node of `to` gets the position that its place has in `from`, whose scene has the node positions `x` [m]:
-/// interpolated in the triangle that contains the place, or extrapolated from the nearest triangle.
-/// `positions`, of the scene of `to`, are changed.
+/// netting into different triangles, and a place on this netting is a pair of twine coordinates (u, v). `x`
+/// are the node positions of the scene of `from` [m], `positions` those of the scene of `to`, which are
+/// changed. Each node of `to` gets the position of its place in `from`: interpolated in the triangle that
+/// contains the place, or extrapolated from the nearest triangle.
 void carry_panel(const Part& from, const std::vector<double>& x, const Part& to,
                  std::vector<double>& positions);
 

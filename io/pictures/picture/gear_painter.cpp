@@ -51,7 +51,7 @@ double twine_cover(double u, double slope, double half_width) {
   return fade * std::clamp(half_width + 0.5 - std::abs(u - spacing * n) / per_pixel, 0.0, 1.0);
 }
 
-/// A boundary side of a part, which belongs to only one of its triangles.
+/// A side on the boundary of a part: only one triangle of the part has this side.
 struct Side {
   std::array<std::uint32_t, 2> nodes;
   std::uint32_t cell;

@@ -51,7 +51,7 @@ void add_ticks(const results::Scale& scale, double left, double top, SheetLayout
     layout.boxes.push_back({x - 0.5, top + kBarHeight, 1, 3, layout.ink});
     layout.words.push_back({x, top + kBarHeight + 15, three_digits(tick), 12, SheetLayout::Align::middle});
   }
-  // A sign marks an end of the scale beyond which there are values.
+  // The sign < or > marks an end of the scale if some values lie beyond this end.
   if (scale.is_cut_below)
     layout.words.push_back({left - 4, top + kBarHeight, "<", 12, SheetLayout::Align::right});
   if (scale.is_cut_above) layout.words.push_back({left + kBarWidth + 4, top + kBarHeight, ">", 12});

@@ -42,8 +42,8 @@ void add_legends(const GearShape& shape, double right, double top, SheetLayout& 
 /// Adds a scale bar of a round number of metres with its left end at (x, y), at most `longest` long [pixels].
 void add_scale_bar(double pixels_per_metre, double x, double y, double longest, SheetLayout& layout);
 
-/// Adds height and spreads as lines with their lengths, if both ends are inside the frame `picture` of the
-/// sheet.
+/// Adds dimension lines for the height and the spreads, each with its length. A line is left out unless both
+/// ends are inside the frame `picture` of the sheet.
 void add_dimensions(const GearShape& shape, const Projection& projection, const Frame& picture,
                     SheetLayout& layout);
 

@@ -102,7 +102,7 @@ std::string figures_html(const results::Result& result) {
   return heading("Figures") + rows + paragraph(results::errors_text(result) + ".");
 }
 
-/// The tables of a report, identical to those of its text.
+/// The tables of a report as HTML; the report as text has the same tables.
 std::string tables_html(const std::vector<results::FigureTable>& tables) {
   std::string html;
   for (const auto& one : tables) {

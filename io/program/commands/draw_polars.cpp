@@ -65,7 +65,8 @@ Values read_polar(const gears::CataloguePart& part, formats::Diagnostics& diagno
   return scenes::read_parameters(columns(), reader);
 }
 
-/// The rows of a table and the interpolated curve, over its first column in degrees.
+/// One line of a plot over the angle in degrees: the points of a table, and the curve interpolated between
+/// them. `x` are the angles [rad].
 formats::PlotSeries series_of(const std::string& name, const std::vector<double>& x,
                               const std::vector<double>& y, const std::function<double(double)>& curve) {
   constexpr int kPieces = 120;  // pieces of a curve, each a tenth of a millimetre in print

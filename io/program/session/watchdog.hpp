@@ -21,10 +21,10 @@ struct Overdue {
 };
 
 /// Ends a run that does not react to an interruption. Solvers check for interruptions and for the time limit
-/// between steps, but a call of a plugin may never return. The watchdog runs in its own thread and calls
-/// `last_act`, which writes what was found so far, if, after an interruption or the limit,
-///   the same call of a plugin has gone on for 2 s, or
-///   a method has called the host 1000 times, and 2 s have passed, or
+/// between steps, but a call of a plugin may never return. The watchdog runs in its own thread. It
+/// calls `last_act`, which writes what was found so far, in three cases after an interruption or the limit:
+///   the same call of a plugin has gone on for 2 s;
+///   a solver, integrator or strategy has called the host 1000 times, and 2 s have passed;
 ///   a scene that was being read at the interruption is still being read half a second later.
 /// All other threads then wait at the boundary of plugins or are inside a plugin, so that the host can write
 /// its results. The program ends with the code that `last_act` returns, or after ten seconds without it.

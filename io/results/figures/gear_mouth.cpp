@@ -34,7 +34,8 @@ void add_height(const GearView& gear, std::uint32_t headline, const std::uint32_
                        middle.z - gear.middle_of(*footrope).z});
 }
 
-/// Distance between the ends of a rope. A half gear has one end, and the distance to its mirror image counts.
+/// Distance between the ends of a rope [m]; in a half gear, between its one end and the mirror image of this
+/// end.
 double spread(const GearView& gear, std::uint32_t rope) {
   const Vector way = gear.at(gear.nodes_of(rope).back()) - gear.at(gear.nodes_of(rope).front());
   return gear.is_half() ? 2 * std::abs(way.y) : norm(way);

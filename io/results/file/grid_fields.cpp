@@ -12,9 +12,9 @@ namespace netloft::results {
 
 namespace {
 
-/// Whether the elements of a family become cells of the picture: elements between nodes of their own part, on
-/// single nodes and on origins of bodies. Elements on the nodes or elements of other parts get no cells,
-/// because they would hide those parts.
+/// Whether the elements of a family (all elements of one type) become cells of the picture. They do if they
+/// are between nodes of their own part, on single nodes, or on origins of bodies. Elements on the nodes or
+/// elements of other parts get no cells, because they would hide those parts.
 bool is_drawn(const scenes::LoadedScene& loaded, const ElementFamily& family) {
   if (family.type().element.stencil == NETLOFT_NODE || family.type().is_on_body()) return true;
   return family.type().element.stencil <= 0xff && !loaded.parts[family.parts()[0]].nodes.empty();

@@ -10,7 +10,7 @@ namespace netloft::results {
 
 namespace {
 
-/// For one part: maps the number of a node within the part to the node.
+/// For one part: the nodes of the result or of the scene, by their numbers within the part.
 using PartNumbers = std::map<std::uint32_t, std::uint32_t>;
 
 std::vector<PartNumbers> numbers_of(const StoredShape& stored) {

@@ -324,7 +324,7 @@ std::map<std::uint32_t, double> GearParts::carried_by(const gears::GearPieces& p
   return carried;
 }
 
-/// Stores the roles that the plan gives its ropes in `gear`.
+/// Stores in `gear` the roles that the plan gives to its ropes.
 void GearParts::name_lines(GearInScene& gear) const {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r) {
     const gears::Rope& rope = *gear_.ropes[r].rope;

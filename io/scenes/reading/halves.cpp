@@ -12,8 +12,8 @@ namespace netloft::scenes {
 
 namespace {
 
-// Nodes beyond the plane by less than this fraction of the gear's breadth do not count. Converged solutions
-// were beyond it by up to 5e-10 of the breadth, crossed gears by 0.1.
+// Nodes that are beyond the plane of symmetry by less than this fraction of the gear's breadth do not count.
+// In converged solutions nodes were beyond the plane by up to 5e-10 of the breadth, in crossed gears by 0.1.
 constexpr double kRounding = 1e-6;
 constexpr std::size_t kMostNames = 5;
 

@@ -28,7 +28,8 @@ class RiderReader {
   /// Reads `[elements.contact]` without the nodes of the contact parts.
   void read_contacts_undivided();
   void add_companions();
-  /// The element types of the companions, which are the last parts of the scene, in their order.
+  /// The element types of the companions, in the order of the companions, which are the last parts of the
+  /// scene.
   const std::vector<const ElementType*>& companions() const { return companions_; }
 
  private:

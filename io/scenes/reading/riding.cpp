@@ -10,7 +10,7 @@ namespace netloft::scenes {
 namespace {
 
 /// The length of twine in a triangle, counting both twine directions: |d| bars of length `bar`, where d is
-/// twice its area in twine coordinates.
+/// twice the area of the triangle in twine coordinates.
 double twine_length(const std::vector<double>& u, const std::vector<double>& v, double bar, std::size_t e) {
   const double d = (u[3 * e + 1] - u[3 * e]) * (v[3 * e + 2] - v[3 * e]) -
                    (u[3 * e + 2] - u[3 * e]) * (v[3 * e + 1] - v[3 * e]);

@@ -52,9 +52,10 @@ void check_held(const LoadedScene& out, const std::vector<const ElementType*>& t
     diagnostics.error(out.place_of(fault.part), fault.message);
 }
 
-/// Warns of friction that does not suit the ground. One kind acts only if the ground moves past the gear; it
-/// does not suit a ground at rest. The other kind sticks; it does not suit a flow without a tow, which
-/// probably means a towed gear.
+/// Warns of friction that does not suit the ground. One kind of friction acts only if the ground moves past
+/// the gear, and gets a warning if the ground is at rest. The other kind sticks to ground at rest. It gets a
+/// warning if water flows past but the scene says nothing about a tow, because the gear is then probably
+/// towed.
 void check_ground(const Draft& draft, bool says_tow, formats::Diagnostics& diagnostics) {
   const LoadedScene& out = draft.out;
   for (std::size_t p = 0; p < draft.types.size(); ++p) {

@@ -22,7 +22,7 @@ struct CalibrationVariable {
   Variable variable;
   Distribution distribution;
   std::vector<std::size_t> scenes;  // indices of the scenes in which the variable is set
-  /// True: one unknown for all scenes that have it. False: an unknown of a single scene.
+  /// Whether the variable is set in all scenes; false: only in those that its key `scenes` names.
   bool is_shared = true;
   double prior_mean() const;
   double prior_deviation() const;

@@ -17,10 +17,9 @@ struct PathContext {
   int threads = 1;  // threads of the assembly
 };
 
-/// Solves the points of an item one after another, along a branch of equilibria (branch.hpp). The matrix
-/// patterns of the points are ordered and analysed only once if they are equal. nullopt if the user
-/// interrupts. Throws StudyError if the item cannot be computed at all, for example because a file has
-/// changed since the study was planned.
+/// Solves the points of an item one after another, along a branch of equilibria (branch.hpp). Points with
+/// equal matrix patterns share one ordering and analysis. nullopt if the user interrupts. Throws StudyError
+/// if the item cannot be computed at all, for example because a file has changed since the study was planned.
 std::optional<ItemRecord> run_path(const Study& study, const StudyItem& item, const PathContext& context);
 
 /// The scene of an item, with the changes of the study and of the item.

@@ -38,12 +38,12 @@ struct ScopeRow {
 using OnScopePoint = std::function<void(std::size_t, const ScopeRow&, const ScopePoint&)>;
 
 /// Sets `row.warp`, the interval of lengths for which heel and spread are within their bands, and
-/// `row.chosen`. Figures are interpolated linearly between points. If there are several such intervals, the
-/// one around the chosen point is taken.
+/// `row.chosen`. Figures are interpolated linearly between points. If there are several such intervals,
+/// `row.warp` is the one around the chosen point.
 void find_lengths(const ScopeRequest& request, ScopeRow& row);
 
-/// Finds how long the warps should be at each depth, for a scene with a ship, a bed and one pair of boards:
-/// follows its equilibrium over lengths of warp, depth by depth (branch.hpp). After an interruption, unsolved
+/// Finds how long the warps should be at each depth, for a scene with a ship, a bed and one pair of boards.
+/// Follows the equilibrium over lengths of warp, depth by depth (branch.hpp). After an interruption, unsolved
 /// points are missing, and so are the lengths for the interrupted depth. Throws std::invalid_argument with a
 /// sentence for other scenes, and if the scene cannot be read at any length.
 std::vector<ScopeRow> find_scope(const runs::CaseSource& source, Registry& registry,

@@ -7,9 +7,9 @@
 
 namespace netloft::studies {
 
-/// Reports errors of a scene in the file (of a study, for example) that sets keys of this scene. An error
-/// that a key causes is reported at the place in that file where the key is set (`keys`: places by path), any
-/// other error at `scene`, with its place in the scene.
+/// Reports errors of a scene in another file (a study, for example) that sets keys of this scene. `keys` are
+/// the places in the other file where keys are set, by path. An error that such a key causes is reported
+/// there. Any other error is reported at `scene`, with its place in the scene.
 void hand_on_faults(const formats::Diagnostics& of_scene, const std::map<std::string, formats::Place>& keys,
                     const formats::Place& scene, formats::Diagnostics& to);
 
