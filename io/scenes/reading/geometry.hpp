@@ -70,16 +70,16 @@ Geometry read_line(formats::TableReader& part);
 
 /// Reads a rectangle of netting, divided into triangles. Keys: `panel`, its size in meshes; `cells` across
 /// and along; and either `sketch`, the initial corners fore left, fore right, aft right and aft left, or
-/// `tube`. In cell (i, j) the diagonal runs (i,j)-(i+1,j+1) if i+j is even; with `division = "crossed"` a
-/// cell has both diagonals, that is four triangles around its centre. Nodes are numbered row by row from the
-/// fore edge, j (across+1) + i, then the centres row by row, (across+1)(along+1) + j across + i. Sets of
-/// nodes: fore, aft, left, right and the corners fore-left … Data of elements: twine coordinates u, v [bars],
-/// bar_length [m], and to_aft, the meshes from each corner to the aft edge. Netting of another orientation,
-/// such as square meshes, differs only in u and v (io/gears/plan/twine_coordinates.hpp). A tube runs from the
-/// point `from` to the point `to`, with `radius` at the fore edge and `radius_aft` at the aft edge. Its left
-/// and right edges meet on top (towards +x for an upright tube). From the left edge to the right one, nodes
-/// run clockwise for an observer who looks aft; the corners of triangles are then counter-clockwise seen from
-/// outside.
+/// `tube`. In cell (i, j) the diagonal runs from node (i,j) to node (i+1,j+1) if i+j is even, else between
+/// the other two corners. With `division = "crossed"` a cell has both diagonals, that is four triangles
+/// around its centre. Nodes are numbered row by row from the fore edge, j (across+1) + i, then the centres
+/// row by row, (across+1)(along+1) + j across + i. Sets of nodes: fore, aft, left, right and the corners
+/// fore-left … Data of elements: twine coordinates u, v [bars], bar_length [m], and to_aft, the meshes from
+/// each corner to the aft edge. Netting of another orientation, such as square meshes, differs only in u and
+/// v (io/gears/plan/twine_coordinates.hpp). A tube runs from the point `from` to the point `to`, with
+/// `radius` at the fore edge and `radius_aft` at the aft edge. Its left and right edges meet on top (towards
+/// +x for an upright tube). From the left edge to the right one, nodes run clockwise for an observer who
+/// looks aft; the corners of triangles are then counter-clockwise seen from outside.
 Geometry read_panel(formats::TableReader& part);
 
 /// Reads a rectangle of diamond netting, divided into bars along its twines, from the keys of read_panel(). A

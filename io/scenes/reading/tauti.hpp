@@ -13,10 +13,11 @@ namespace netloft::scenes {
 /// The weight of ropes and the lift of floats have the ratio of forces in (1) if the diameters D of ropes and
 /// d of floats have the ratios
 ///   D_F/D_M = √(λ λ'),   d_F/d_M = (λ² λ')^⅓                                               (2)
-/// Their drag, proportional to D L V² and d² V² with the length L, then has another ratio. A scene has the
-/// size of the gear: if the model is scaled up to it, its ropes are √(λ/λ') thicker than those of the gear,
-/// with a density nearer to that of water, and its floats are (λ/λ')^⅓ wider. Reynolds numbers are those of
-/// the model; in numbers of the full-scale gear, with the viscosity ν of the tank, they are
+/// The drag of ropes and floats then has another ratio: it is proportional to D L V² and d² V², with the
+/// length L of a rope. A scene has the size of the gear. Scaled up to this size, the model has ropes that are
+/// √(λ/λ') thicker than those of the gear, with a density nearer to that of water, and floats that are
+/// (λ/λ')^⅓ wider. Reynolds numbers are those of the model. In numbers of the full-scale gear, with the
+/// viscosity ν of the tank, they are
 ///   netting V d/ν λ'^−1.5,   ropes and floats V (λ D_M)/ν λ⁻¹ λ'^−0.5                      (3)
 struct TautiModel {
   double lengths = 1, twines = 1;  // ratios λ, λ' of (1)

@@ -22,14 +22,14 @@ namespace {
 // Limit of points: only the nearest points are used. Kriging of n points takes n³/3 operations, a tenth of a
 // second for each figure with 600 points, and distant points add little information.
 constexpr std::size_t kMostFittedPoints = 600;
-constexpr double kSolveError = 1e-9;  // relative error of solves, the last term of (1)
+constexpr double kSolveError = 1e-9;  // relative error of solves, the last term of (1) in estimate.hpp
 
 using Numbers = std::vector<double>;
 
 /// The values of one figure in the selected rows of the table, by point; coordinates are scaled to [0, 1].
 struct Known {
   std::vector<Numbers> points;
-  std::vector<Numbers> samples;  // one number for each point, or one for every sample
+  std::vector<Numbers> samples;  // for each point: one number, or one for every sample
 };
 
 double squared_distance(const Numbers& a, const Numbers& b) {

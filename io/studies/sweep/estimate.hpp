@@ -49,12 +49,12 @@ struct StudyEstimate {
 /// (solvers/fitting/kriging). If the request gives a variable one of its listed values, only rows with this
 /// value count; along the other variables kriging interpolates. The error of an estimate y is
 ///   max(2 s, Σ_v max_G |y_G − y_{−G}|, 10⁻⁹ |y|)                                                    (1)
-/// s is the standard deviation that kriging gives. The second term is cross validation: a group G of points
-/// is left out, and their figures y_G are compared with the estimates y_{−G} from all other points, at the
-/// points of G nearest to the place. For a listed variable v the groups are the points at each of its two
-/// values nearest to the place (but not its first or last value); for all sampled variables together they are
-/// the nearest samples, one more than there are such variables. Errors along different variables are added.
-/// 10⁻⁹ is the relative tolerance of solves.
+/// s is the standard deviation that kriging gives, 10⁻⁹ the relative tolerance of solves. The second term is
+/// cross validation. A group G of points is left out. The figures y_G at those points of G that are nearest
+/// to the place are compared with their estimates y_{−G} from all points outside G. A listed variable v has
+/// up to two groups: the points at each of its two values nearest to the place, without its first and last
+/// value. All sampled variables together count as one v. Its groups are the samples nearest to the place, one
+/// more than there are sampled variables. Errors along different variables are added.
 ///
 /// If the request gives no sampled variable, the result is a distribution over the samples. Each sample d is
 /// estimated at the place, y_d ± e_d, with the correlation lengths of the medians at all points. The median
@@ -63,9 +63,10 @@ struct StudyEstimate {
 /// This is the largest error that errors of the samples within e_d can cause. A sample with fewer than three
 /// points along a variable is left out.
 ///
-/// If the request has a fault, it is reported to `diagnostics`, and there is no result: unknown or missing
-/// variables, wrong units, places outside the values of a variable or between its only two. Throws StudyError
-/// with a sentence if no selected point has a stable equilibrium.
+/// Faults of the request are reported to `diagnostics`; there is then no result. Faults are unknown or
+/// missing variables, wrong units, and places that lie outside the values of a variable, or between its
+/// values if it has only two. Throws StudyError with a sentence if no selected point has a stable
+/// equilibrium.
 std::optional<StudyEstimate> estimate(const StudyTable& table, const EstimateRequest& request,
                                       formats::Diagnostics& diagnostics);
 

@@ -36,17 +36,17 @@ struct StudyIndices {
 };
 
 /// Computes Sobol's indices (sobol_indices.hpp): the fraction of a figure's variance that each variable of a
-/// table causes. A figure is taken as a function of the variables, the response, which kriging interpolates
+/// table causes. The figure as a function of the variables is called the response; kriging interpolates it
 /// between the points. Variables are independent: listed ones are uniform from the first to the last value,
 /// sampled ones are distributed as their samples. The error of an index S is the root of the sum of squares
-/// of two parts: the error of the sample, and that of the response,
+/// of two parts. One part is the error of sobol_indices(), the other is the error of the response,
 ///   2 ((k − 1)/k Σ_g (S_g − S)²)^½ + Σ_v max_l |S_l − S|                                    (1)
-/// S_g are the indices without one of k ≤ 10 groups of samples, S_l those without the points at a value l of
-/// the listed variable v, which is neither its first nor its last.
+/// S_g are the indices without one of k ≤ 10 groups of samples. S_l are the indices without the points at a
+/// value l of the listed variable v, which is neither its first nor its last value.
 ///
-/// If the request has a fault, it is reported to `diagnostics`, and there is no result: unknown figures and
-/// variables; variables that must be held at a value because they are no numbers or have only two values; and
-/// lists of values that change together, so that no variable varies by itself. Throws StudyError with a
+/// Faults of the request are reported to `diagnostics`; there is then no result. Faults are unknown figures
+/// and variables; variables that must be held at a value because they are no numbers or have only two values;
+/// and lists of values that change together, so that no variable varies by itself. Throws StudyError with a
 /// sentence if no point is usable.
 std::optional<StudyIndices> study_indices(const StudyTable& table, const IndicesRequest& request,
                                           formats::Diagnostics& diagnostics);
