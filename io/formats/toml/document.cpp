@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -83,16 +84,19 @@ std::string find_trouble(const std::string& text) {
   return {};
 }
 
+using StoredTexts = std::map<std::string, std::string>;
+
 /// Reads a file and, before it, the files that it includes.
 class Loader {
  public:
-  Loader(std::vector<SourceFile>& files, Diagnostics& diagnostics)
-      : files_(files), diagnostics_(diagnostics) {}
+  /// `stored`: texts by file name that take the place of the files; nullptr: files are opened.
+  Loader(std::vector<SourceFile>& files, Diagnostics& diagnostics, const StoredTexts* stored = nullptr)
+      : files_(files), diagnostics_(diagnostics), stored_(stored) {}
 
   /// Loads a file and its includes. `named_at` is the entry in the including file; for the root it is empty.
   Value load(const fs::path& path, const Place& named_at) {
     const std::string name = path.lexically_normal().string();
-    FileText file = read_file(path);
+    FileText file = stored_ ? read_stored(name) : read_file(path);
     if (file.trouble.empty()) file.trouble = find_trouble(file.text);
     if (!file.trouble.empty()) {
       diagnostics_.error(named_at, name + ' ' + file.trouble);
@@ -117,9 +121,14 @@ class Loader {
   }
 
  private:
-  static std::string identity(const fs::path& path) {
+  FileText read_stored(const std::string& name) const {
+    const auto at = stored_->find(name);
+    return at == stored_->end() ? FileText{{}, "was not stored"} : FileText{at->second, {}};
+  }
+
+  std::string identity(const fs::path& path) const {
     std::error_code failed;
-    const fs::path canonical = fs::canonical(path, failed);
+    const fs::path canonical = stored_ ? path.lexically_normal() : fs::canonical(path, failed);
     return failed ? path.lexically_normal().string() : canonical.string();
   }
 
@@ -161,6 +170,7 @@ class Loader {
 
   std::vector<SourceFile>& files_;
   Diagnostics& diagnostics_;
+  const StoredTexts* stored_;
   std::vector<fs::path> chain_;  // files from the root to the one that is being read
   std::set<std::string> done_;
 };
@@ -180,6 +190,18 @@ Document Document::parse(std::string text, const std::string& name, const std::v
   Document document;
   document.root_ = Loader(document.files_, diagnostics).add(std::move(text), name, {});
   for (const std::string& change : overrides) apply(document.root_, read_change(change), diagnostics);
+  return document;
+}
+
+Document Document::recall(std::vector<SourceFile> files, const std::vector<std::string>& overrides,
+                          Diagnostics& diagnostics) {
+  Document document;
+  if (files.empty()) return document;
+  const fs::path scene = files.front().path;
+  StoredTexts texts;
+  for (SourceFile& file : files) texts.emplace(std::move(file.path), std::move(file.text));
+  document.root_ = Loader(document.files_, diagnostics, &texts).load(scene, {});
+  for (const std::string& text : overrides) apply(document.root_, read_change(text), diagnostics);
   return document;
 }
 

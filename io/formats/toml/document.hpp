@@ -33,6 +33,11 @@ class Document {
   static Document parse(std::string text, const std::string& name, const std::vector<std::string>& overrides,
                         Diagnostics& diagnostics);
 
+  /// Merges files that were read earlier, as files() listed them; no file is opened. An include whose text is
+  /// not among them is an error.
+  static Document recall(std::vector<SourceFile> files, const std::vector<std::string>& overrides,
+                         Diagnostics& diagnostics);
+
   /// The complete table, without `include`.
   const Value& root() const { return root_; }
   /// The root file, then the includes in the order in which they were read.

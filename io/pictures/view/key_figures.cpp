@@ -3,37 +3,15 @@
 
 #include "io/pictures/view/report_html.hpp"
 #include "io/results/figures/figure_names.hpp"
+#include "io/results/figures/key_figures.hpp"
 #include "io/results/text/measured.hpp"
 #include "io/results/text/result_text.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <string_view>
 
 namespace netloft::pictures {
 
 namespace {
-
-constexpr std::size_t kMostKeyFigures = 9;
-
-/// Collects the most important numbers: height, spreads, area and drag of a gear, the pull of the ship and
-/// the figures of its rigging, then the [results] of the scene.
-std::vector<const results::NamedScalar*> key_figures_of(const results::Result& result) {
-  std::vector<const results::NamedScalar*> keys;
-  const auto add = [&](std::string_view group, std::string_view what) {
-    for (const auto& figure : result.figures)
-      if (figure.name.starts_with(group) && figure.name.ends_with(what)) keys.push_back(&figure);
-  };
-  for (const auto* what : {"headline_height", "upper_wing_spread", "lower_wing_spread", "area"})
-    add("mouth/", what);
-  add("pairs/", "/spread");
-  add("drag/all/x", "");
-  add("towing/pull", "");
-  add("rigging/", "/tension_start");
-  for (const auto& scalar : result.scalars) keys.push_back(&scalar);
-  if (keys.size() > kMostKeyFigures) keys.resize(kMostKeyFigures);
-  return keys;
-}
 
 std::string name_of(const results::NamedScalar& figure) {
   const std::string name = results::principal_name(figure.name);
@@ -64,7 +42,7 @@ std::string badge_html(const results::Result& result) {
 
 std::string key_figures_html(const std::vector<const results::Result*>& results) {
   std::string html;
-  for (const auto* key : key_figures_of(*results.front())) {
+  for (const auto* key : results::key_figures(*results.front())) {
     const auto* after = results.size() == 2 ? results[1] : nullptr;
     const results::NamedScalar* same = after ? results::find_scalar(after->figures, key->name) : nullptr;
     if (after && !same) same = results::find_scalar(after->scalars, key->name);

@@ -7,6 +7,7 @@
 #include "io/pictures/view/page_parts.hpp"
 #include "io/pictures/view/report_html.hpp"
 #include "io/pictures/view/result_json.hpp"
+#include "io/results/diff/varied_key.hpp"
 
 #include <filesystem>
 
@@ -20,12 +21,6 @@ std::string head(const std::string& title, const std::string& badge, const std::
          policy + "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
          in_html(title) + "</title>\n<style>" + kPageStyle + "</style>\n</head>\n<body>\n<header><h1>" +
          in_html(title) + "</h1>\n" + badge + "<p id=\"status\" role=\"status\" hidden></p></header>\n";
-}
-
-std::string title_of(const std::vector<const results::Result*>& results) {
-  std::string title;
-  for (const auto* result : results) title += (title.empty() ? "" : ", ") + result->title;
-  return title;
 }
 
 std::string name_of_file(const results::Result& result) {
@@ -70,7 +65,7 @@ std::string view_page(const std::vector<const results::StoredShape*>& shapes, st
   std::vector<const results::Result*> results;
   for (const auto* shape : shapes) results.push_back(&shape->result);
   std::string page =
-      head(title_of(results), results.size() == 1 ? badge_html(*results.front()) : "", kPagePolicy);
+      head(results::title_of(results), results.size() == 1 ? badge_html(*results.front()) : "", kPagePolicy);
   page += "<main>\n" + key_figures_html(results);
   for (const auto* result : results)
     if (!result->is_answer()) page += unfinished_html(*result);

@@ -2,6 +2,7 @@
 #include "io/pictures/view/report_html.hpp"
 
 #include "io/formats/svg/svg.hpp"
+#include "io/results/diff/report_diff.hpp"
 #include "io/results/figures/figure_names.hpp"
 #include "io/results/text/result_tables.hpp"
 #include "io/results/text/result_text.hpp"
@@ -167,6 +168,19 @@ std::string origins_html(const results::Result& result) {
   return html + (o.plan.empty() ? "" : folded("What was evaluated, and why", o.plan));
 }
 
+/// All numbers that changed, by the names that they have in the files.
+std::string numbers_html(const std::vector<results::NumberDifference>& numbers) {
+  HtmlTable table({"quantity", "before", "after", "difference", "", "error", ""});
+  for (const auto& d : numbers) {
+    if (!d.is_changed()) continue;
+    table.row().text(d.name).value(number(d.before)).value(number(d.after));
+    table.value(number(d.difference(), "{:+.4g}")).value(number(d.percent(), "{:+.3g} %"));
+    table.value(std::isfinite(d.error()) ? number(d.error(), "{:.1e}") : "±?");
+    table.text(results::unit_text(d.unit)).end();
+  }
+  return table.finish();
+}
+
 }  // namespace
 
 std::string in_html(const std::string& text) { return formats::escape_markup(text); }
@@ -186,25 +200,20 @@ std::string details_html(const results::Result& result) {
 }
 
 std::string diff_html(const results::ResultDiff& diff) {
-  HtmlTable table({"quantity", "before", "after", "difference", "", "error", ""});
-  std::size_t changed = 0;
-  for (const auto& d : diff.numbers) {
-    if (!d.is_changed()) continue;
-    ++changed;
-    table.row()
-        .text(d.name)
-        .value(number(d.before))
-        .value(number(d.after))
-        .value(number(d.difference(), "{:+.4g}"));
-    table.value(number(d.percent(), "{:+.3g} %"))
-        .value(std::isfinite(d.error) ? number(d.error, "{:.1e}") : "±?")
-        .text(results::unit_text(d.unit))
-        .end();
+  std::string html = heading("What changed");
+  html += paragraph("From " + file_name(diff.before.path) + " to " + file_name(diff.after.path) + ":");
+  html += "<ul>\n";
+  for (const auto& change : results::input_changes(diff)) html += "<li>" + in_html(change) + "</li>\n";
+  html += "</ul>\n";
+  HtmlTable figures({"figure", "before", "after", "change", ""});
+  for (const std::size_t i : diff.figures) {
+    const auto change = results::figure_change(diff.numbers[i]);
+    figures.row().text(change.name).value(change.before).value(change.after).value(change.percent);
+    figures.text(change.exceeds ? "*" : "").end();
   }
-  return heading("What changed") +
-         paragraph(fmt::format("{} of {} numbers changed, from {} to {}.", changed, diff.numbers.size(),
-                               file_name(diff.before.path), file_name(diff.after.path))) +
-         table.finish();
+  html += figures.finish() + paragraph(results::errors_line(diff) + ".");
+  return html + "<details><summary>All numbers that changed</summary>\n" + numbers_html(diff.numbers) +
+         "</details>\n";
 }
 
 }  // namespace netloft::pictures

@@ -6,7 +6,7 @@
 #include "io/pictures/view/ground_json.hpp"
 #include "io/pictures/view/key_figures.hpp"
 #include "io/pictures/view/packed_array.hpp"
-#include "io/pictures/view/sweep.hpp"
+#include "io/results/diff/varied_key.hpp"
 #include "io/results/file/body_plates.hpp"
 #include "io/results/file/catch_body.hpp"
 #include "io/results/file/dimensions.hpp"
@@ -285,16 +285,6 @@ Json result_json(const results::StoredShape& stored, std::size_t most_states) {
   return json;
 }
 
-/// The setting that varies between three or more results; empty if there are fewer.
-Varied varied_among(const std::vector<const results::StoredShape*>& results) {
-  std::vector<SweepInput> inputs;
-  for (const auto* stored : results) {
-    const results::Origins& from = stored->result.origins;
-    inputs.push_back({from.command, from.files.empty() ? "" : from.files.front().text});
-  }
-  return results.size() > 2 ? varied_setting(inputs) : Varied{};
-}
-
 }  // namespace
 
 std::vector<std::size_t> kept_states(std::size_t states, std::size_t most) {
@@ -306,12 +296,14 @@ std::vector<std::size_t> kept_states(std::size_t states, std::size_t most) {
 
 std::string results_json(const std::vector<const results::StoredShape*>& results, std::size_t most_states) {
   Json all = Json::array();
-  const Varied varied = varied_among(results);
+  std::vector<const results::Result*> plain;
+  for (const auto* stored : results) plain.push_back(&stored->result);
+  const results::VariedKey varied = results::find_varied_key(plain);
   for (std::size_t i = 0; i < results.size(); ++i) {
     all.push_back(result_json(*results[i], most_states));
-    if (varied.name.empty()) continue;
-    all.back()["varied"] = varied.name + " = " + varied.values[i];
-    all.back()["variedName"] = varied.name + (varied.unit.empty() ? "" : " [" + varied.unit + "]");
+    if (varied.path.empty()) continue;
+    all.back()["varied"] = varied.path + " = " + varied.values[i];
+    all.back()["variedName"] = varied.path + (varied.unit.empty() ? "" : " [" + varied.unit + "]");
     all.back()["variedBy"] = varied.numbers[i];
   }
   const std::string text = Json{{"style", style_json()}, {"results", std::move(all)}}.dump(

@@ -72,6 +72,7 @@ void add_diff_command(CLI::App& app, Chosen& chosen) {
       app, chosen, "diff", "print what changed between two results, and between their inputs", diff_command);
   diff.add_option("BEFORE", o.before, "result file (.hdf)")->required();
   diff.add_option("AFTER", o.after, "result file that is compared with it")->required();
+  diff.add_flag("--all", o.all, "all numbers and changes of the inputs, not the most important alone");
   add_json_option(diff, o);
 }
 

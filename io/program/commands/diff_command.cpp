@@ -31,7 +31,7 @@ int diff_command(const DiffOptions& options) {
   results::ResultDiff diff =
       results::compare_results(read(options.before, options.json), read(options.after, options.json));
   diff.move = move_between(options);
-  print_line(options.json ? results::diff_json(diff) : results::diff_text(diff));
+  print_line(options.json ? results::diff_json(diff) : results::diff_text(diff, options.all));
   return diff.both_are_answers() ? kDone : kNotConverged;
 }
 

@@ -28,6 +28,7 @@ struct ViewOptions : CommonOptions {
 
 struct DiffOptions : CommonOptions {
   std::string before, after;  // arguments RESULT.hdf
+  bool all = false;           // option --all
 };
 
 int report_command(const ReportOptions& options);  // reports an existing result

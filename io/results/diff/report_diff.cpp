@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/diff/report_diff.hpp"
 
+#include "io/results/figures/figure_names.hpp"
+#include "io/results/text/gear_text.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -8,7 +11,6 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
-#include <set>
 #include <vector>
 
 namespace netloft::results {
@@ -31,69 +33,37 @@ void side_text(const char* which, const Result& result, Out out) {
   fmt::format_to(out, "\n");
 }
 
-// The lines of the summary name at most this many changes, because they are read at a glance.
-constexpr std::size_t kShownChanges = 3;
+// Without --all this many changes of the input and this many figures are printed. With the names of the files
+// and a heading, the most important of both then are in the first ten lines.
+constexpr std::size_t kShownInputs = 3, kShownFigures = 12;
 
-/// Joins the first kShownChanges texts in one line, and says how many more there are.
-std::string first_of(const std::vector<std::string>& all) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(all.size(), kShownChanges); ++i) text += (i ? "; " : "") + all[i];
-  if (all.size() > kShownChanges) text += fmt::format("; and {} more", all.size() - kShownChanges);
-  return text;
+constexpr std::size_t kShownLetters = 100;  // of a value, without --all
+
+/// Shortens a text to a number of letters.
+std::string shortened(const std::string& text, std::size_t most) {
+  if (text.size() <= most) return text;
+  std::size_t end = most;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;  // within a UTF-8 letter
+  return text.substr(0, end) + "...";
 }
 
-std::string trimmed(const std::string& line) {
-  const auto first = line.find_first_not_of(" \t");
-  return first == std::string::npos ? "" : line.substr(first);
+std::string change_text(const KeyChange& change, std::size_t letters) {
+  if (change.after.empty()) return "without " + change.path + " = " + shortened(change.before, letters);
+  if (change.before.empty()) return "with " + change.path + " = " + shortened(change.after, letters);
+  return change.path + ": " + shortened(change.before, letters) + " -> " + shortened(change.after, letters);
 }
 
-/// Returns KEY of a line "KEY = value"; empty for other lines.
-std::string key_of(const std::string& line) {
-  const auto equals = line.find('=');
-  return equals == std::string::npos || equals == 0 ? "" : line.substr(0, equals);
-}
-
-/// Adds new lines to `changes`. If a removed line has the key of a new one, the change is "key = before ->
-/// after". Lines with comments do not count.
-void add_line_changes(const std::vector<LineChange>& lines, std::vector<std::string>& changes) {
-  const auto is_comment = [](const LineChange& line) {
-    return trimmed(line.text).empty() || trimmed(line.text).starts_with("#");
-  };
-  std::set<const LineChange*> replaced;
-  for (const auto& line : lines) {
-    if (!line.is_new || is_comment(line)) continue;
-    const std::string text = trimmed(line.text), key = key_of(text);
-    const auto old = std::find_if(lines.begin(), lines.end(), [&](const LineChange& other) {
-      return !other.is_new && !key.empty() && !replaced.contains(&other) &&
-             key_of(trimmed(other.text)) == key;
-    });
-    if (old == lines.end()) {
-      changes.push_back(text);
-      continue;
-    }
-    replaced.insert(&*old);
-    const std::string before = trimmed(old->text);
-    changes.push_back(before + " -> " + trimmed(text.substr(text.find('=') + 1)));
-  }
-  for (const auto& line : lines)
-    if (!line.is_new && !is_comment(line) && !replaced.contains(&line))
-      changes.push_back("without " + trimmed(line.text));
-}
-
-/// The changes of the inputs in one line: new settings, then settings that were removed and not replaced.
-std::string inputs_line(const InputDifferences& inputs) {
-  std::vector<std::string> changes;
-  for (const auto& option : inputs.options_after) changes.push_back(option);
-  for (const auto& option : inputs.options_before) changes.push_back("without " + option);
-  for (const auto& file : inputs.files) {
-    if (file.before.empty() || file.after.empty())
-      changes.push_back(file.after.empty() ? "without " + file.before : "with " + file.after);
-    add_line_changes(file.lines, changes);
-  }
-  for (const auto& plugin : inputs.plugins) changes.push_back("plugin " + plugin);
-  if (inputs.other_program) changes.push_back("another version of netloft");
-  if (changes.empty()) return inputs.none() ? "the same" : "comments alone";
-  return first_of(changes);
+void inputs_text(const ResultDiff& diff, bool all, Out out) {
+  const auto changes = all ? input_changes(diff) : input_changes(diff, kShownLetters);
+  const std::size_t shown = all ? changes.size() : std::min(changes.size(), kShownInputs);
+  if (changes.empty())
+    fmt::format_to(out, "inputs: {}\n",
+                   diff.inputs.other_text ? "the same but for comments and spaces" : "the same");
+  for (std::size_t i = 0; i < shown; ++i)
+    fmt::format_to(out, "{:<7} {}{}\n", i == 0 ? "inputs:" : "", changes[i],
+                   i + 1 == shown && shown < changes.size()
+                       ? fmt::format(" (and {} more: --all)", changes.size() - shown)
+                       : "");
 }
 
 /// Returns a coordinate, with round-off around zero replaced by zero.
@@ -114,57 +84,55 @@ std::string move_line(const std::optional<NodeMove>& move) {
   return text;
 }
 
-/// Whether a number describes the gear as a whole. Numbers about single parts are left to the tables.
-bool is_figure(const std::string& name) {
-  return name.starts_with("results/") || name.starts_with("gear/mouth/") ||
-         name.starts_with("gear/ground/") || name.starts_with("gear/netting/") || name == "gear/drag/all/x" ||
-         name == "gear/weight_in_water/all";
+/// The value of a figure before or after, in the unit that is usual in the trade.
+NamedScalar spoken_figure(const NumberDifference& d, double value, double error) {
+  NamedScalar figure{.name = d.name, .unit = d.unit, .doc = "", .value = value};
+  figure.solver_error = error;
+  figure.mesh_error = 0;
+  return in_spoken_unit(figure);
 }
 
-/// The figures that changed by more than their errors, the largest relative change first. If no errors are
-/// known, all figures that changed.
-std::string figures_line(const std::vector<NumberDifference>& numbers) {
-  std::vector<const NumberDifference*> figures;
-  bool any_error = false;
-  for (const auto& d : numbers)
-    if (is_figure(d.name)) any_error |= std::isfinite(d.error);
-  for (const auto& d : numbers)
-    if (is_figure(d.name) && (any_error ? d.exceeds() : d.is_changed())) figures.push_back(&d);
-  std::stable_sort(figures.begin(), figures.end(), [](const auto* a, const auto* b) {
-    return std::abs(a->percent()) > std::abs(b->percent());
-  });
-  std::vector<std::string> words;
-  for (const auto* d : figures)
-    words.push_back(fmt::format("{} {:.4g} -> {:.4g}{} ({})", d->name.substr(d->name.find('/') + 1),
-                                d->before, d->after, d->unit == "1" ? "" : " " + d->unit,
-                                number(d->percent(), "{:+.3g} %")));
-  if (words.empty()) return any_error ? "none beyond its error" : "none";
-  return first_of(words) +
-         (any_error ? ""
-                    : "; errors of the mesh are not known (run --error finds them), so no change is marked");
+/// The name of a number in words: "headline height" for "gear/mouth/headline_height".
+std::string words_of(const std::string& name) {
+  const std::string rest = name.substr(name.find('/') + 1);
+  const std::string principal = principal_name(rest);
+  return principal.empty() ? spoken(rest) : principal;
 }
 
-/// Writes three lines of summary.
-void summary_text(const ResultDiff& diff, Out out) {
-  fmt::format_to(out, "inputs: {}\n", inputs_line(diff.inputs));
-  fmt::format_to(out, "largest move of a node: {}\n", move_line(diff.move));
-  fmt::format_to(out, "figures that changed: {}\n", figures_line(diff.numbers));
+std::string figure_row(const NumberDifference& d) {
+  const FigureChange change = figure_change(d);
+  return fmt::format("{} {:<28} {:>20} {:>20} {:>10}", change.exceeds ? "*" : " ", change.name, change.before,
+                     change.after, change.percent);
+}
+
+/// Writes the figures that changed, the most important first.
+void figures_text(const ResultDiff& diff, bool all, Out out) {
+  const std::size_t shown = all ? diff.figures.size() : std::min(diff.figures.size(), kShownFigures);
+  if (shown > 0)
+    fmt::format_to(out, "  {:<28} {:>20} {:>20} {:>10}\n", "figure", "before", "after", "change");
+  for (std::size_t i = 0; i < shown; ++i)
+    fmt::format_to(out, "{}\n", figure_row(diff.numbers[diff.figures[i]]));
+  const auto is_changed = [](const auto& d) { return d.is_changed(); };
+  const auto changed = static_cast<std::size_t>(std::ranges::count_if(diff.numbers, is_changed));
+  if (changed == 0)
+    fmt::format_to(out, "none of {} numbers changed\n", diff.numbers.size());
+  else if (!all && changed > shown)
+    fmt::format_to(out, "  {} more numbers changed: --all\n", changed - shown);
+  if (changed > 0) fmt::format_to(out, "{}\n", errors_line(diff));
 }
 
 void row_text(const NumberDifference& d, std::size_t width, Out out) {
   fmt::format_to(out, "{} {:<{}} {:>13} {:>13} {:>12} {:>9} {:>9} {}\n", d.exceeds() ? "*" : " ", d.name,
                  width, number(d.before, "{:.6g}"), number(d.after, "{:.6g}"),
                  number(d.difference(), "{:+.4g}"), number(d.percent(), "{:+.3g} %"),
-                 std::isfinite(d.error) ? fmt::format("{:.1e}", d.error) : "±?", d.unit == "1" ? "" : d.unit);
+                 std::isfinite(d.error()) ? fmt::format("{:.1e}", d.error()) : "±?",
+                 d.unit == "1" ? "" : d.unit);
 }
 
+/// Writes all numbers that changed, by the names that they have in the files.
 void numbers_text(const std::vector<NumberDifference>& numbers, Out out) {
-  const auto changed =
-      std::count_if(numbers.begin(), numbers.end(), [](const auto& d) { return d.is_changed(); });
-  if (changed == 0) {
-    fmt::format_to(out, "none of {} numbers changed\n", numbers.size());
-    return;
-  }
+  const auto is_changed = [](const auto& d) { return d.is_changed(); };
+  if (std::ranges::none_of(numbers, is_changed)) return;
   std::size_t width = 8;
   for (const auto& d : numbers)
     if (d.is_changed()) width = std::max(width, d.name.size());
@@ -172,34 +140,8 @@ void numbers_text(const std::vector<NumberDifference>& numbers, Out out) {
                  "difference", "", "error");
   for (const auto& d : numbers)
     if (d.is_changed()) row_text(d, width, out);
-  fmt::format_to(
-      out,
-      "{} of {} numbers changed; * marks a change larger than the errors (of solver and mesh) of both "
-      "results; ±?: the error of the mesh is not known\n",
-      changed, numbers.size());
-}
-
-void file_text(const FileDifference& file, Out out) {
-  if (file.after.empty() || file.before.empty()) {
-    fmt::format_to(out, "{} {}, read {} only\n", file.after.empty() ? "-" : "+",
-                   file.after.empty() ? file.before : file.after, file.after.empty() ? "before" : "after");
-    return;
-  }
-  for (const auto& line : file.lines)
-    fmt::format_to(out, "{} {}:{}: {}\n", line.is_new ? "+" : "-", line.is_new ? file.after : file.before,
-                   line.line, line.text);
-}
-
-void inputs_text(const ResultDiff& diff, Out out) {
-  const InputDifferences& inputs = diff.inputs;
-  fmt::format_to(out, "{}\n", inputs.none() ? "the inputs are the same" : "inputs: - before, + after");
-  for (const auto& option : inputs.options_before) fmt::format_to(out, "- {}\n", option);
-  for (const auto& option : inputs.options_after) fmt::format_to(out, "+ {}\n", option);
-  for (const auto& file : inputs.files) file_text(file, out);
-  if (inputs.other_program)
-    fmt::format_to(out, "- netloft {}\n+ netloft {}\n", diff.before.origins.version,
-                   diff.after.origins.version);
-  for (const auto& plugin : inputs.plugins) fmt::format_to(out, "  plugin {}\n", plugin);
+  fmt::format_to(out, "{} of {} numbers changed; ±?: the error of the mesh is not known\n",
+                 std::ranges::count_if(numbers, is_changed), numbers.size());
 }
 
 Json side_json(const Result& result) {
@@ -218,8 +160,10 @@ Json numbers_json(const std::vector<NumberDifference>& numbers) {
                     {"after", d.after},
                     {"difference", d.difference()},
                     {"percent", d.percent()},
-                    {"error", d.error},
-                    {"exceeds", std::isfinite(d.error) ? Json(d.exceeds()) : Json(nullptr)}});
+                    {"error_before", d.error_before},
+                    {"error_after", d.error_after},
+                    {"error", d.error()},
+                    {"exceeds", std::isfinite(d.error()) ? Json(d.exceeds()) : Json(nullptr)}});
   return rows;
 }
 
@@ -230,28 +174,85 @@ Json move_json(const std::optional<NodeMove>& move) {
           {"nodes", move->nodes}};
 }
 
-Json files_json(const std::vector<FileDifference>& files) {
-  const auto path = [](const std::string& name) { return name.empty() ? Json(nullptr) : Json(name); };
+/// An empty text as null: the result does not have the key or file.
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+Json keys_json(const std::vector<KeyChange>& keys) {
   Json all = Json::array();
-  for (const auto& file : files) {
-    Json lines = Json::array();
-    for (const auto& line : file.lines)
-      lines.push_back({{"in", line.is_new ? "after" : "before"}, {"line", line.line}, {"text", line.text}});
-    all.push_back({{"before", path(file.before)}, {"after", path(file.after)}, {"lines", lines}});
-  }
+  for (const auto& key : keys)
+    all.push_back(
+        {{"key", key.path}, {"before", text_or_null(key.before)}, {"after", text_or_null(key.after)}});
   return all;
+}
+
+Json files_json(const std::vector<FileDifference>& files) {
+  Json all = Json::array();
+  for (const auto& file : files)
+    all.push_back({{"before", text_or_null(file.before)},
+                   {"after", text_or_null(file.after)},
+                   {"keys", keys_json(file.keys)}});
+  return all;
+}
+
+Json figures_json(const ResultDiff& diff) {
+  Json names = Json::array();
+  for (const std::size_t i : diff.figures) names.push_back(diff.numbers[i].name);
+  return names;
 }
 
 }  // namespace
 
-std::string diff_text(const ResultDiff& diff) {
+std::vector<std::string> input_changes(const ResultDiff& diff, std::size_t most) {
+  const InputDifferences& inputs = diff.inputs;
+  std::vector<std::string> changes;
+  if (!inputs.are_scenes_known)
+    changes.push_back("the scenes are not known: a result does not have all of their files");
+  for (const auto& key : inputs.keys) changes.push_back(change_text(key, most));
+  for (const auto& option : inputs.options_before) changes.push_back("without " + option);
+  for (const auto& option : inputs.options_after) changes.push_back("with " + option);
+  for (const auto& file : inputs.files) {
+    if (file.before.empty() || file.after.empty())
+      changes.push_back(file.after.empty() ? "without the file " + file.before
+                                           : "with the file " + file.after);
+    else if (file.keys.empty())
+      changes.push_back("another text of the file " + file.after);
+    for (const auto& key : file.keys) changes.push_back(file.after + ": " + change_text(key, most));
+  }
+  for (const auto& plugin : inputs.plugins) changes.push_back("plugin " + plugin);
+  if (inputs.other_program)
+    changes.push_back("netloft " + diff.before.origins.version + " -> " + diff.after.origins.version);
+  return changes;
+}
+
+FigureChange figure_change(const NumberDifference& d) {
+  const auto text_of = [&](double value, double error) {
+    const NamedScalar figure = spoken_figure(d, value, error);
+    const bool has_unit = std::isfinite(value) && !figure.unit.empty();
+    return measured(figure, "{:.5g}") + (has_unit ? " " + unit_text(figure.unit) : "");
+  };
+  return {words_of(d.name), text_of(d.before, d.error_before), text_of(d.after, d.error_after),
+          number(d.percent(), "{:+.3g} %"), d.exceeds()};
+}
+
+std::string errors_line(const ResultDiff& diff) {
+  const auto has_error = [&](std::size_t i) { return std::isfinite(diff.numbers[i].error()); };
+  const auto exceeds = [&](std::size_t i) { return diff.numbers[i].exceeds(); };
+  if (std::ranges::none_of(diff.figures, has_error))
+    return "errors of the mesh are not known (run --error finds them), so no change is marked";
+  return std::ranges::any_of(diff.figures, exceeds)
+             ? "* marks a change larger than the errors (of solver and mesh) of both results"
+             : "no change is larger than the errors (of solver and mesh) of both results";
+}
+
+std::string diff_text(const ResultDiff& diff, bool all) {
   std::string text;
   const Out out = std::back_inserter(text);
   side_text("before:", diff.before, out);
   side_text("after:", diff.after, out);
-  summary_text(diff, out);
-  numbers_text(diff.numbers, out);
-  inputs_text(diff, out);
+  inputs_text(diff, all, out);
+  figures_text(diff, all, out);
+  fmt::format_to(out, "largest move of a node: {}\n", move_line(diff.move));
+  if (all) numbers_text(diff.numbers, out);
   text.pop_back();
   return text;
 }
@@ -262,12 +263,15 @@ std::string diff_json(const ResultDiff& diff) {
                      {"before", side_json(diff.before)},
                      {"after", side_json(diff.after)},
                      {"largest_move", move_json(diff.move)},
+                     {"figures", figures_json(diff)},
                      {"quantities", numbers_json(diff.numbers)},
                      {"inputs",
-                      {{"options", {{"before", inputs.options_before}, {"after", inputs.options_after}}},
+                      {{"keys", inputs.are_scenes_known ? keys_json(inputs.keys) : Json(nullptr)},
+                       {"options", {{"before", inputs.options_before}, {"after", inputs.options_after}}},
                        {"files", files_json(inputs.files)},
                        {"plugins", inputs.plugins},
-                       {"other_program", inputs.other_program}}}};
+                       {"other_program", inputs.other_program},
+                       {"other_text", inputs.other_text}}}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -4,9 +4,25 @@
 
 namespace netloft::results {
 
-/// The differences as text: first the numbers that changed, marked with `*` if the change exceeds the known
-/// errors, then the changes of the inputs.
-std::string diff_text(const ResultDiff& diff);
+/// The changes of the inputs, a line for each; `most` limits the letters of a value.
+std::vector<std::string> input_changes(const ResultDiff& diff, std::size_t most = std::string::npos);
+
+/// A figure before and after, as reports print it.
+struct FigureChange {
+  std::string name;           // such as "headline height"
+  std::string before, after;  // "1.98 ± 0.06 m"
+  std::string percent;
+  bool exceeds = false;  // the change is larger than the errors of both results
+};
+FigureChange figure_change(const NumberDifference& difference);
+
+/// A sentence about the errors of the figures that changed.
+std::string errors_line(const ResultDiff& diff);
+
+/// The differences as text: the changes of the inputs, then the figures that changed, the most important
+/// first; changes beyond the known errors are marked with `*`. `all` adds the changes that a glance leaves
+/// out, and every number that changed by its name in the file.
+std::string diff_text(const ResultDiff& diff, bool all);
 
 /// One JSON object with all numbers; unknown values are null.
 std::string diff_json(const ResultDiff& diff);

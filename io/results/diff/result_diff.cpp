@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/diff/result_diff.hpp"
 
+#include "io/results/figures/figure_names.hpp"
+#include "io/results/figures/key_figures.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <map>
+#include <tuple>
 
 namespace netloft::results {
 
@@ -45,7 +50,7 @@ NumberDifference difference_of(const std::string& name, const NumberMap& before,
     return at == numbers.end() ? ComparedNumber{} : at->second;
   };
   const ComparedNumber a = find(before), b = find(after);
-  return {name, a.unit.empty() ? b.unit : a.unit, a.value, b.value, a.error + b.error};
+  return {name, a.unit.empty() ? b.unit : a.unit, a.value, b.value, a.error, b.error};
 }
 
 /// Sets the round-off (`floor`) of every number to 1e-12 of the largest number with the same unit, because a
@@ -70,11 +75,11 @@ std::vector<NumberDifference> compare_numbers(const Result& before, const Result
   return all;
 }
 
-/// The options of a command line that change its scene: "--set path=value", "--solver name".
+/// The options of a command line that choose a method: "--solver newton".
 std::set<std::string> options_of(const std::vector<std::string>& command) {
   std::set<std::string> options;
   for (std::size_t i = 0; i < command.size(); ++i)
-    for (const std::string option : {"--set", "--solver"}) {
+    for (const std::string option : {"--solver", "--strategy", "--start-from"}) {
       if (command[i] == option && i + 1 < command.size()) options.insert(option + " " + command[i + 1]);
       if (command[i].starts_with(option + "="))
         options.insert(option + " " + command[i].substr(option.size() + 1));
@@ -90,37 +95,29 @@ std::set<std::string> only_in(const std::set<std::string>& one, const std::set<s
 
 std::string name_of(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-/// Pairs the files of two results: the scene of one with that of the other, and every other file with a file
-/// of the same name. -1 marks a file without a partner.
-std::vector<int> partners(const std::vector<Origins::File>& before, const std::vector<Origins::File>& after) {
-  std::vector<int> partner(before.size(), -1);
-  std::vector<bool> taken(after.size());
-  for (std::size_t i = 0; i < before.size(); ++i)
-    for (std::size_t j = 0; j < after.size() && partner[i] < 0; ++j)
-      if (!taken[j] && (i == 0 ? j == 0 : j > 0 && name_of(before[i].path) == name_of(after[j].path))) {
-        partner[i] = static_cast<int>(j);
-        taken[j] = true;
-      }
-  return partner;
-}
-
+/// Compares the files of two results that differ, in pairs of the same name. Files of the scenes themselves
+/// are left out, because their keys are compared.
 std::vector<FileDifference> compare_files(const std::vector<Origins::File>& before,
-                                          const std::vector<Origins::File>& after) {
+                                          const std::vector<Origins::File>& after,
+                                          const std::set<std::string>& of_scenes) {
   std::vector<FileDifference> files;
-  std::vector<bool> met(after.size());
-  const auto partner = partners(before, after);
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    if (partner[i] < 0) {
-      files.push_back({before[i].path, "", {}});
+  std::set<const Origins::File*> met;
+  for (const auto& file : before) {
+    if (of_scenes.contains(file.path)) continue;
+    const auto other = std::ranges::find_if(after, [&](const Origins::File& f) {
+      return !met.contains(&f) && !of_scenes.contains(f.path) && name_of(f.path) == name_of(file.path);
+    });
+    if (other == after.end()) {
+      files.push_back({file.path, "", {}});
       continue;
     }
-    const Origins::File& other = after[static_cast<std::size_t>(partner[i])];
-    met[static_cast<std::size_t>(partner[i])] = true;
-    auto lines = find_line_changes(before[i].text, other.text);
-    if (!lines.empty()) files.push_back({before[i].path, other.path, std::move(lines)});
+    met.insert(&*other);
+    if (file.text != other->text)
+      files.push_back({file.path, other->path,
+                       find_key_changes(file.text, other->text).value_or(std::vector<KeyChange>{})});
   }
-  for (std::size_t j = 0; j < after.size(); ++j)
-    if (!met[j]) files.push_back({"", after[j].path, {}});
+  for (const auto& file : after)
+    if (!met.contains(&file) && !of_scenes.contains(file.path)) files.push_back({"", file.path, {}});
   return files;
 }
 
@@ -142,10 +139,54 @@ std::vector<std::string> compare_plugins(const std::vector<Origins::Plugin>& bef
   return different;
 }
 
+bool have_same_texts(const std::vector<Origins::File>& a, const std::vector<Origins::File>& b) {
+  return std::ranges::equal(a, b, {}, &Origins::File::text, &Origins::File::text);
+}
+
 InputDifferences compare_inputs(const Origins& before, const Origins& after) {
+  InputDifferences inputs;
+  std::set<std::string> of_scenes;
+  auto keys = find_key_changes(before, after, of_scenes);
+  inputs.are_scenes_known = keys.has_value();
+  if (keys) inputs.keys = std::move(*keys);
   const auto a = options_of(before.command), b = options_of(after.command);
-  return {only_in(a, b), only_in(b, a), compare_files(before.files, after.files),
-          compare_plugins(before.plugins, after.plugins), before.version != after.version};
+  inputs.options_before = only_in(a, b);
+  inputs.options_after = only_in(b, a);
+  inputs.files = compare_files(before.files, after.files, of_scenes);
+  inputs.plugins = compare_plugins(before.plugins, after.plugins);
+  inputs.other_program = before.version != after.version;
+  inputs.other_text = !have_same_texts(before.files, after.files);
+  return inputs;
+}
+
+/// Whether a number describes the gear as a whole or was asked for, and not single parts.
+bool is_figure(const std::string& name) {
+  return name.starts_with("results/") ||
+         (name.starts_with("gear/") && !principal_name(name.substr(5)).empty());
+}
+
+std::vector<std::size_t> changed_figures(const std::vector<NumberDifference>& numbers,
+                                         const std::set<std::string>& keys) {
+  std::vector<std::size_t> figures;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (is_figure(numbers[i].name) && numbers[i].is_changed()) figures.push_back(i);
+  const auto rank = [&](std::size_t i) {
+    const auto& d = numbers[i];
+    return std::tuple(!d.exceeds(), !keys.contains(d.name), -d.share());
+  };
+  std::ranges::stable_sort(figures, {}, rank);
+  return figures;
+}
+
+/// The names of the key figures of both results, as in NumberDifference.
+std::set<std::string> names_of_key_figures(const Result& before, const Result& after) {
+  std::set<std::string> names;
+  for (const Result* result : {&before, &after}) {
+    for (const auto* figure : key_figures(*result))
+      names.insert((find_scalar(result->figures, figure->name) == figure ? "gear/" : "results/") +
+                   figure->name);
+  }
+  return names;
 }
 
 }  // namespace
@@ -154,23 +195,32 @@ double NumberDifference::percent() const {
   return before != 0 ? 100 * difference() / std::abs(before) : NumberDifference::kUnknown;
 }
 
+double NumberDifference::share() const {
+  const double larger = std::fmax(std::abs(before), std::abs(after));
+  return larger > 0 && std::isfinite(difference()) ? std::abs(difference()) / larger : 1;
+}
+
 bool NumberDifference::is_changed() const {
   if (std::isnan(before) && std::isnan(after)) return false;
   return !(std::abs(difference()) <=
            std::max(floor, kRoundOff * std::max(std::abs(before), std::abs(after))));
 }
 
-bool NumberDifference::exceeds() const { return is_changed() && std::abs(difference()) > error; }
+bool NumberDifference::exceeds() const { return is_changed() && std::abs(difference()) > error(); }
 
 bool InputDifferences::none() const {
-  return options_before.empty() && options_after.empty() && files.empty() && plugins.empty() &&
-         !other_program;
+  return keys.empty() && options_before.empty() && options_after.empty() && files.empty() &&
+         plugins.empty() && !other_program;
 }
 
 ResultDiff compare_results(Result before, Result after) {
-  auto numbers = compare_numbers(before, after);
-  auto inputs = compare_inputs(before.origins, after.origins);
-  return {std::move(before), std::move(after), std::move(numbers), std::move(inputs), {}};
+  ResultDiff diff;
+  diff.numbers = compare_numbers(before, after);
+  diff.figures = changed_figures(diff.numbers, names_of_key_figures(before, after));
+  diff.inputs = compare_inputs(before.origins, after.origins);
+  diff.before = std::move(before);
+  diff.after = std::move(after);
+  return diff;
 }
 
 }  // namespace netloft::results

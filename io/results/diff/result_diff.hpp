@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/results/diff/line_changes.hpp"
+#include "io/results/diff/key_changes.hpp"
 #include "io/results/diff/node_moves.hpp"
 #include "io/results/figures/result.hpp"
 
@@ -15,40 +15,50 @@ struct NumberDifference {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::string name, unit;
   double before = kUnknown, after = kUnknown;
-  // Sum of the solver and mesh errors of both values. NaN if one of them is unknown, because the mesh error
-  // is usually by far the largest.
-  double error = kUnknown;
+  // Sums of the solver error and the mesh error of each value. NaN unless both are known, because the mesh
+  // error is usually by far the largest.
+  double error_before = kUnknown, error_after = kUnknown;
   double floor = 0;  // differences below this are round-off
 
   double difference() const { return after - before; }
+  double error() const { return error_before + error_after; }
   /// The difference relative to the value before; NaN if that value is zero.
   double percent() const;
+  /// The difference relative to the larger of the two values; 1 if only one result has the number.
+  double share() const;
   /// Whether the difference exceeds round-off.
   bool is_changed() const;
-  /// Whether the difference exceeds `error`; false if that is not known.
+  /// Whether the difference exceeds error(); false if that is not known.
   bool exceeds() const;
 };
 
-/// A file of the scene whose lines differ between the results, or a file that only one result has.
+/// A file that only one result has, or whose text differs. The files of the scene itself are compared as one.
 struct FileDifference {
-  std::string before, after;  // paths; empty: this result has no such file
-  std::vector<LineChange> lines;
+  std::string before, after;    // paths; empty: this result has no such file
+  std::vector<KeyChange> keys;  // the keys that differ, if both are TOML
 };
 
 /// The differences between the inputs of two results.
 struct InputDifferences {
-  // Options that only one command line has, such as "--set water.current=[1,0,0]".
+  std::vector<KeyChange> keys;   // of the scenes
+  bool are_scenes_known = true;  // false: a result lacks the texts of its scene, so that `keys` is empty
+  // Options that only one command line has, such as "--solver newton"; --set is part of the scene.
   std::set<std::string> options_before, options_after;
   std::vector<FileDifference> files;
   std::vector<std::string> plugins;  // plugins built differently, or present in one result only
   bool other_program = false;
+  bool other_text = false;  // comments, spaces or the division into files differ
 
+  /// Whether nothing differs but, perhaps, `other_text`.
   bool none() const;
 };
 
 struct ResultDiff {
   Result before, after;
   std::vector<NumberDifference> numbers;  // sorted by name; unchanged ones are included
+  // Indices in `numbers` of those that a report shows first and that changed: first those that exceed their
+  // errors, then the key figures (key_figures.hpp), then others, each group by its largest share().
+  std::vector<std::size_t> figures;
   InputDifferences inputs;
   std::optional<NodeMove> move;  // nullopt: not compared
 

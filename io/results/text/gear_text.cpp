@@ -108,22 +108,6 @@ void write(const FigureTable& table, Out out) {
   }
 }
 
-/// Converts a figure to the unit that is usual in the trade.
-NamedScalar in_spoken_unit(NamedScalar figure) {
-  static constexpr struct {
-    const char *unit, *spoken;
-    double factor;
-  } units[] = {
-      {"1", "", 1}, {"m2", "m²", 1}, {"W", "kW", 1e-3}, {"kg/s", "kg/h", 3600}, {"kg/m2", "kg/ha", 1e4}};
-  for (const auto& u : units)
-    if (figure.unit == u.unit) {
-      figure.unit = u.spoken;
-      for (double* number : {&figure.value, &figure.solver_error, &figure.mesh_error}) *number *= u.factor;
-      break;
-    }
-  return figure;
-}
-
 /// Adds a table of drag and weight by kind, or by part.
 void force_table(const std::vector<NamedScalar>& figures, const std::string& title, const std::string& drag,
                  const std::string& weight, std::vector<FigureTable>& tables) {
@@ -190,6 +174,21 @@ void add_ropes(const std::vector<NamedScalar>& figures, bool is_half, std::vecto
 }
 
 }  // namespace
+
+NamedScalar in_spoken_unit(NamedScalar figure) {
+  static constexpr struct {
+    const char *unit, *spoken;
+    double factor;
+  } units[] = {
+      {"1", "", 1}, {"m2", "m²", 1}, {"W", "kW", 1e-3}, {"kg/s", "kg/h", 3600}, {"kg/m2", "kg/ha", 1e4}};
+  for (const auto& u : units)
+    if (figure.unit == u.unit) {
+      figure.unit = u.spoken;
+      for (double* number : {&figure.value, &figure.solver_error, &figure.mesh_error}) *number *= u.factor;
+      break;
+    }
+  return figure;
+}
 
 std::vector<PrincipalFigure> principal_figures(const std::vector<NamedScalar>& figures) {
   std::vector<PrincipalFigure> all;

@@ -22,6 +22,9 @@ struct PrincipalFigure {
   std::string doc;
 };
 
+/// Converts a figure to the unit that is usual in the trade, such as kW for W.
+NamedScalar in_spoken_unit(NamedScalar figure);
+
 std::vector<PrincipalFigure> principal_figures(const std::vector<NamedScalar>& figures);
 
 /// Adds the tables of a gear: bodies, ropes, netting, forces.

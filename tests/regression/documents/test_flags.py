@@ -51,6 +51,7 @@ COMMANDS = (
      "--reference newton --repeats 1 --csv table.csv -o work.svg; head -1 table.csv work.svg", "work.svg"),
     (f"netloft compare {MOTION} --set analysis.duration=0.1 --integrator newmark --accuracy 1e-1:1e-1 --repeats 1 {COMMON}", "newmark"),
     ("netloft diff rope.hdf coarse.hdf --json", '"after"'),
+    ("netloft diff rope.hdf coarse.hdf --all", "quantity"),
     (f"netloft refine {ROPE} {SCENE} --strategy direct --solver newton --cells 10,20", "sag_z"),
     ("netloft refine trawl.toml --nodes 150,300", "headline"),
     (f"netloft scope {AT_SEA} {COMMON} --set gear.nodes=600 --threads 1 --scene-plugins --strategy auto --solver newton --depth 65:67:2 "

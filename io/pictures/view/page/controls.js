@@ -46,7 +46,7 @@ function connectSection(viewer) {
 function connectOverlay(viewer) {
   $('overlay-row').hidden = !viewer.second;
   if (!viewer.second) return;
-  $('overlay').replaceChildren(element('option', {value: 'both'}, 'both, the second in grey'), ...viewer.results.map((r, i) => element('option', {value: String(i)}, r.file)));
+  $('overlay').replaceChildren(element('option', {value: 'both'}, 'both, the second in grey'), ...viewer.results.map((r, i) => element('option', {value: String(i)}, r.varied || r.file)));
   $('overlay').addEventListener('change', () => { viewer.applyVisibility(); viewer.draw(); });
 }
 

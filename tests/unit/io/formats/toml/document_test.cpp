@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/formats/toml/document.hpp"
 
+#include "io/formats/toml/spelled_value.hpp"
 #include "tests/unit/io/formats/toml/scratch.hpp"
 
 namespace netloft::formats {
@@ -229,6 +230,18 @@ TEST_F(DocumentTest, ListsTheFilesItReadWithTheirText) {
 // Test vectors of draft-eastlake-fnv, appendix C.
 TEST(Fnv1a64, OfNothingIsItsOffset) { EXPECT_EQ(fnv1a64(""), "fnv1a64:cbf29ce484222325"); }
 TEST(Fnv1a64, OfFoobarIsThePublishedOne) { EXPECT_EQ(fnv1a64("foobar"), "fnv1a64:85944171f73967e8"); }
+
+TEST_F(DocumentTest, RecallsStoredTextsWithoutOpeningFiles) {
+  const std::string common = write("common.toml", "a = 1\n").string(),
+                    scene = (folder_ / "scene.toml").string();
+  const std::string text = "include = [\"common.toml\"]\nb = 2\n";
+  const auto known =
+      Document::recall({{scene, text, ""}, {common, "a = 3\nb = 4\n", ""}}, {"c=5"}, diagnostics_);
+  EXPECT_EQ(errors(), "");
+  EXPECT_EQ(spell_value(known.root()), "{a = 3, b = 2, c = 5}");
+  Document::recall({{scene, text, ""}}, {}, diagnostics_);
+  EXPECT_NE(errors().find("common.toml was not stored"), std::string::npos);
+}
 
 }  // namespace
 }  // namespace netloft::formats

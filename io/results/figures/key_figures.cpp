@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/results/figures/key_figures.hpp"
+
+#include <string_view>
+
+namespace netloft::results {
+
+std::vector<const NamedScalar*> key_figures(const Result& result) {
+  constexpr std::size_t kMost = 9;
+  std::vector<const NamedScalar*> keys;
+  const auto add = [&](std::string_view group, std::string_view what) {
+    for (const auto& figure : result.figures)
+      if (figure.name.starts_with(group) && figure.name.ends_with(what)) keys.push_back(&figure);
+  };
+  for (const auto* what : {"headline_height", "upper_wing_spread", "lower_wing_spread", "area"})
+    add("mouth/", what);
+  add("pairs/", "/spread");
+  add("drag/all/x", "");
+  add("towing/pull", "");
+  add("rigging/", "/tension_start");
+  for (const auto& scalar : result.scalars) keys.push_back(&scalar);
+  if (keys.size() > kMost) keys.resize(kMost);
+  return keys;
+}
+
+}  // namespace netloft::results

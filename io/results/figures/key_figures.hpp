@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/results/figures/result.hpp"
+
+#include <vector>
+
+namespace netloft::results {
+
+/// The most important numbers of a result, in the order in which they are shown: height, spreads, area and
+/// drag of a gear, the pull of the ship and of its rigging, then the [results] of the scene. At most nine.
+std::vector<const NamedScalar*> key_figures(const Result& result);
+
+}  // namespace netloft::results
