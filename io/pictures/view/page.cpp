@@ -74,7 +74,7 @@ std::string view_page(const std::vector<const results::StoredShape*>& shapes, st
   if (results.size() == 2) page += diff_html(results::compare_results(*results[0], *results[1]));
   for (const auto* result : results)
     page += "<section aria-label=\"Report\">\n<h2>Report: " + in_html(name_of_file(*result)) + "</h2>\n" +
-            badge_html(*result) + summary_html(*result) + materials_table(*result) + details_html(*result) +
+            badge_html(*result) + summary_html(*result) + materials_html(*result) + details_html(*result) +
             "</section>\n";
   page += "</main>\n<script type=\"application/json\" id=\"data\">" + results_json(shapes, most_states) +
           "</script>\n<script>" + std::string(kPageLibraries) + "</script>\n<script>" + kPageViewer +
@@ -86,7 +86,8 @@ std::string report_page(const results::StoredShape& shape) {
   const results::Result& result = shape.result;
   return head(result.title, badge_html(result), kPageQuietPolicy) + "<main>\n<div class=\"sheet\">\n" +
          summary_html(result) + key_figures_html({&result}) +
-         picture_html(shape, View::oblique, "Obliquely from ahead") + materials_table(result) +
+         picture_html(shape, View::oblique, "Obliquely from ahead") + deck_html(result) +
+         "</div>\n<div class=\"sheet next-page\">\n" + materials_html(result) +
          "</div>\n<div class=\"sheet next-page\">\n" + pictures_html(shape) +
          "</div>\n<div class=\"sheet next-page\">\n<h2>Details</h2>\n" + details_html(result) +
          "</div>\n</main>\n</body>\n</html>\n";

@@ -80,7 +80,7 @@ std::string folded(const std::string& title, const std::string& text) {
 }
 
 std::string head_html(const results::Result& result) {
-  std::string html = paragraph(result.sentence);
+  std::string html = result.is_answer() ? "" : paragraph(result.sentence);
   for (const auto& sentence : result.diagnostics) html += paragraph(sentence + ".");
   for (const auto& note : result.notes) html += paragraph("Note: " + note + ".");
   if (result.is_half()) html += paragraph(std::string("Of the gear ") + results::kOfHalf + ".");
@@ -122,13 +122,14 @@ std::string tables_html(const std::vector<results::FigureTable>& tables) {
   return html;
 }
 
-std::string materials_rows(const results::Result& result) {
-  HtmlTable table({"", "part", "number", "diameter [mm]", "length [m]", "area [m²]", "mass [kg]",
-                   "largest load [N]", "breaking load [N]", "used"});
+std::string materials_table(const results::Result& result) {
+  HtmlTable table({"", "part", "number", "diameter [mm]", "each [m]", "together [m]", "area [m²]",
+                   "mass [kg]", "largest load [N]", "breaking load [N]", "used"});
   for (const auto& m : result.materials) {
     table.row().text(m.item.name).text(m.item.part_name).value(number(m.item.number, "{:g}"));
-    for (const double value : {1e3 * m.item.diameter, m.length, m.area, m.mass, m.load, m.item.breaking_load})
-      table.value(number(value));
+    for (const double value :
+         {1e3 * m.item.diameter, m.item.length, m.length, m.area, m.mass, m.load, m.item.breaking_load})
+      table.value(number(value, std::abs(value) < 1000 ? "{:.4g}" : "{:.0f}"));
     table.share(m.utilisation(), m.item.name).end();
   }
   const std::string rows = table.finish();
@@ -149,7 +150,15 @@ std::string convergence_html(const results::Result& result) {
         .end();
   }
   const std::string rows = table.finish();
-  return rows.empty() ? "" : "<details><summary>Convergence of the solve</summary>\n" + rows + "</details>\n";
+  if (rows.empty()) return "";
+  return "<details><summary>Convergence of the solve</summary>\n" + paragraph(result.sentence) + rows +
+         "</details>\n";
+}
+
+/// A path as written; of an absolute path, which tells about one machine only, the file and its folder.
+std::string shown_path(const std::string& path) {
+  const std::filesystem::path full = path;
+  return full.is_absolute() ? (full.parent_path().filename() / full.filename()).string() : path;
 }
 
 std::string origins_html(const results::Result& result) {
@@ -164,7 +173,7 @@ std::string origins_html(const results::Result& result) {
   for (const auto& [name, text] : rows)
     if (!text.empty()) table.row().text(name).text(text).end();
   std::string html = heading("Where it comes from") + table.finish();
-  for (const auto& file : o.files) html += folded(file.path, file.text);
+  for (const auto& file : o.files) html += folded(shown_path(file.path), file.text);
   return html + (o.plan.empty() ? "" : folded("What was evaluated, and why", o.plan));
 }
 
@@ -192,7 +201,16 @@ std::string summary_html(const results::Result& result) {
   return html;
 }
 
-std::string materials_table(const results::Result& result) { return materials_rows(result); }
+std::string materials_html(const results::Result& result) {
+  const auto netting = results::netting_table(result.netting);
+  return (netting.rows.empty() ? "" : tables_html({netting})) + materials_table(result);
+}
+
+std::string deck_html(const results::Result& result) {
+  auto tables = results::report_tables(result);
+  std::erase_if(tables, [](const results::FigureTable& table) { return !table.is_for_deck; });
+  return tables_html(tables);
+}
 
 std::string details_html(const results::Result& result) {
   return figures_html(result) + tables_html(results::report_tables(result)) + convergence_html(result) +

@@ -10,8 +10,11 @@ namespace netloft::pictures {
 
 /// Outcome, notes and warnings.
 std::string summary_html(const results::Result& result);
-/// The bill of materials, with loads against breaking loads; empty if there is none.
-std::string materials_table(const results::Result& result);
+/// The panels to cut, then the bill of materials with loads against breaking loads; empty without a plan.
+std::string materials_html(const results::Result& result);
+
+/// The tables of boards and warps, which a skipper reads first.
+std::string deck_html(const results::Result& result);
 /// All figures with their errors, tables by part, convergence, and the origins of the result.
 std::string details_html(const results::Result& result);
 

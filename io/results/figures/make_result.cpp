@@ -126,6 +126,7 @@ Result describe_scene(const scenes::LoadedScene& loaded, const Assembler& assemb
   result.unknowns = assembler.numbering().unknowns();
   if (loaded.gear) result.gear = GearNames{loaded.gear->times, loaded.gear->headline, loaded.gear->footrope};
   result.materials = find_bill(loaded);
+  if (loaded.gear) result.netting = loaded.gear->netting;
   return result;
 }
 

@@ -138,9 +138,10 @@ struct Result {
   Origins origins;
   std::string solver, strategy, factorisation;
   std::size_t nodes = 0, elements = 0, states = 1;
-  std::optional<GearNames> gear;     // nullopt: the scene has no net plan
-  std::vector<NamedScalar> scalars;  // the numbers that the scene requests in [results]
-  std::vector<NamedScalar> figures;  // figures of the gear (gear_figures.hpp)
+  std::optional<GearNames> gear;              // nullopt: the scene has no net plan
+  std::vector<scenes::NettingSheet> netting;  // the panels of its plan that counts and cuttings define
+  std::vector<NamedScalar> scalars;           // the numbers that the scene requests in [results]
+  std::vector<NamedScalar> figures;           // figures of the gear (gear_figures.hpp)
   // The meshes from which mesh errors were found, or why there are no mesh errors; empty: not requested.
   std::string mesh_note;
   double node_error = NamedScalar::kUnknown;  // largest displacement of a node in one more Newton step [m]

@@ -54,6 +54,19 @@ void visit_inputs(File&& file, AnyResult& r) {
               "breaking load of a rope, or of the twines of a bar");
   file.column("bill/mass", bill, item(&Item::mass), "kg", "mass of one piece or body in air");
   file.column("bill/area", bill, item(&Item::area), "m2", "projected area of one body");
+  using Sheet = scenes::NettingSheet;
+  file.names("netting/name", r.netting, &Sheet::name);
+  file.column("netting/number", r.netting, &Sheet::number, "1", "in the whole gear");
+  file.column("netting/mesh", r.netting, &Sheet::mesh, "m", "stretched mesh size");
+  file.names("netting/twine", r.netting, &Sheet::twine, "in the catalogue; empty: written in the plan");
+  file.column("netting/twines", r.netting, &Sheet::twines, "1", "side by side");
+  file.names("netting/laid", r.netting, &Sheet::laid, "diamond, square or t90");
+  file.column("netting/fore", r.netting, &Sheet::fore, "1", "meshes of the fore edge");
+  file.column("netting/aft", r.netting, &Sheet::aft, "1", "meshes of the aft edge");
+  file.column("netting/deep", r.netting, &Sheet::deep, "1", "meshes from fore to aft");
+  file.column("netting/pieces", r.netting, &Sheet::pieces, "1", "sewn mesh to mesh in a row");
+  file.names("netting/outer", r.netting, &Sheet::outer, "cuttings, each with the meshes that it goes aft");
+  file.names("netting/inner", r.netting, &Sheet::inner, "empty for a panel in the middle");
 }
 
 template <class File, class AnyStatistics>

@@ -59,11 +59,12 @@ double round_off_of(const std::vector<NamedScalar>& figures, const std::vector<C
 /// Adds a table with a row for every member that has figures for the columns. A table without rows is not
 /// added.
 void add_table(const std::vector<NamedScalar>& figures, const std::string& title,
-               const std::vector<Column>& columns, std::vector<FigureTable>& tables) {
+               const std::vector<Column>& columns, std::vector<FigureTable>& tables,
+               bool is_for_deck = false) {
   std::vector<std::string> members;
   for (const auto& column : columns) add_members(figures, column.before, members);
   const double round_off = round_off_of(figures, columns, members);
-  FigureTable table{title, {}, {}};
+  FigureTable table{title, {}, {}, is_for_deck};
   for (const auto& column : columns) table.headings.push_back(column.heading);
   for (const auto& member : members) {
     FigureTable::Row row{member, {}};
@@ -89,15 +90,17 @@ std::string to_the_right(const std::string& text, std::size_t width) {
 }
 
 void write(const FigureTable& table, Out out) {
-  constexpr std::size_t kNarrow = 11, kWide = 20;
-  bool is_wide = false;
+  constexpr std::size_t kNarrow = 11;
+  std::vector<std::size_t> widths;
+  for (const auto& heading : table.headings) widths.push_back(std::max(kNarrow, letters(heading)));
   std::size_t name = std::max<std::size_t>(24, letters(table.title)) - 2;  // width of the first column
   for (const auto& row : table.rows) {
     name = std::max(name, letters(row.name));
-    for (const auto& cell : row.cells) is_wide = is_wide || letters(cell) > kNarrow;
+    for (std::size_t i = 0; i < row.cells.size(); ++i) widths[i] = std::max(widths[i], letters(row.cells[i]));
   }
   const auto cells = [&](const std::vector<std::string>& texts) {
-    for (const auto& text : texts) fmt::format_to(out, " {}", to_the_right(text, is_wide ? kWide : kNarrow));
+    for (std::size_t i = 0; i < texts.size(); ++i)
+      fmt::format_to(out, " {}", to_the_right(texts[i], widths[i]));
     fmt::format_to(out, "\n");
   };
   fmt::format_to(out, "  {:<{}}", table.title, name + 2);
@@ -127,7 +130,7 @@ void add_bodies(const std::vector<NamedScalar>& figures, std::vector<FigureTable
              {"y [m]", body, "/y"},
              {"z [m]", body, "/z"},
              {"above bed", body, "/above_bed", "{:.3f}"}},
-            tables);
+            tables, true);
   add_table(figures, "water on bodies",
             {{"attack [°]", body, "/attack", "{:.2f}", false, formats::kDegreesPerRadian},
              {"sideslip [°]", body, "/sideslip", "{:.2f}", false, formats::kDegreesPerRadian},
@@ -147,7 +150,7 @@ void add_warps(const std::vector<NamedScalar>& figures, std::vector<FigureTable>
              {"down, start", "warps/", "/down_at_start", "{:.2f}°", false, formats::kDegreesPerRadian},
              {"out, start", "warps/", "/out_at_start", "{:.2f}°", false, formats::kDegreesPerRadian},
              {"up, end", "warps/", "/up_at_end", "{:.2f}°", false, formats::kDegreesPerRadian}},
-            tables);
+            tables, true);
   add_table(figures, "warps at the block",
             {{"tension [N]", "warps/", "/tension"}, {"out [m/s]", "warps/", "/paying_out", "{:.3f}"}},
             tables);
@@ -225,6 +228,22 @@ void add_gear_tables(const std::vector<NamedScalar>& figures, bool is_half,
             tables);
   force_table(figures, "forces [N]", "drag/", "weight_in_water/", tables);
   force_table(figures, "forces by part [N]", "drag_by_part/", "weight_in_water_by_part/", tables);
+}
+
+FigureTable netting_table(const std::vector<scenes::NettingSheet>& netting) {
+  FigureTable table{
+      "netting to cut",
+      {"number", "mesh [mm]", "twine", "laid", "fore", "aft", "deep", "outer side", "inner side"},
+      {}};
+  const auto meshes = [](double count) { return measured(count, 0, "{:.5g}"); };
+  for (const auto& sheet : netting)
+    table.rows.push_back({sheet.name,
+                          {meshes(sheet.number), measured(1e3 * sheet.mesh, 0, "{:.4g}"),
+                           sheet.twine + (sheet.twines > 1 ? " x " + meshes(sheet.twines) : ""), sheet.laid,
+                           meshes(sheet.fore), meshes(sheet.aft),
+                           meshes(sheet.deep) + (sheet.pieces > 1 ? " in " + meshes(sheet.pieces) : ""),
+                           sheet.outer, sheet.inner.empty() ? "-" : sheet.inner}});
+  return table;
 }
 
 std::string table_text(const FigureTable& table) {

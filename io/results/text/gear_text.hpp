@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/results/text/measured.hpp"
+#include "io/scenes/reading/loaded_scene.hpp"
 
 namespace netloft::results {
 
@@ -13,6 +14,7 @@ struct FigureTable {
   std::string title;
   std::vector<std::string> headings;  // headings of the cells
   std::vector<Row> rows;
+  bool is_for_deck = false;  // boards and warps: what a skipper reads first
 };
 
 /// A figure that a report shows first, in the unit that is usual in the trade.
@@ -32,6 +34,9 @@ void add_gear_tables(const std::vector<NamedScalar>& figures, bool is_half, std:
 
 inline constexpr const char* kOfHalf =
     "one half was modelled; areas, masses, weights and forces aft and upwards are those of the whole gear";
+
+/// The panels that have to be cut, as a table.
+FigureTable netting_table(const std::vector<scenes::NettingSheet>& netting);
 
 std::string table_text(const FigureTable& table);
 

@@ -144,6 +144,24 @@ Json materials_json(const std::vector<Material>& materials) {
   return all;
 }
 
+Json netting_json(const std::vector<scenes::NettingSheet>& netting) {
+  Json all = Json::array();
+  for (const auto& sheet : netting)
+    all.push_back({{"name", sheet.name},
+                   {"number", sheet.number},
+                   {"mesh", sheet.mesh},
+                   {"twine", sheet.twine},
+                   {"twines", sheet.twines},
+                   {"laid", sheet.laid},
+                   {"fore", sheet.fore},
+                   {"aft", sheet.aft},
+                   {"deep", sheet.deep},
+                   {"pieces", sheet.pieces},
+                   {"outer", sheet.outer},
+                   {"inner", sheet.inner}});
+  return all;
+}
+
 /// How the result was found, and the cost of the solve.
 Json solve_json(const Result& r) {
   const Statistics& s = r.statistics;
@@ -190,6 +208,7 @@ std::string result_json(const Result& r) {
                {"node_error", r.node_error},
                {"gear", gear_json(r)},
                {"materials", materials_json(r.materials)},
+               {"netting", netting_json(r.netting)},
                {"part_forces", part_forces_json(r.part_forces)},
                {"hold_forces", hold_forces_json(r.hold_forces)},
                {"balance", r.balance}};

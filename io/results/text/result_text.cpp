@@ -126,6 +126,7 @@ std::string result_text(const Result& result) {
   if (const std::string errors = errors_text(result); !errors.empty())
     fmt::format_to(out, "  {}\n", indented(errors));
   for (const auto& table : report_tables(result)) text += table_text(table);
+  if (const auto netting = netting_table(result.netting); !netting.rows.empty()) text += table_text(netting);
   materials_text(result.materials, out);
   solve_text(result, out);
   if (result.motion) text += motion_text(result);

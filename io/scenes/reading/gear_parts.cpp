@@ -58,6 +58,7 @@ GearParts::GearParts(const gears::NetPlan& plan, formats::TableReader& root, con
     in_scene.nodes = fineness_.nodes;
     in_scene.size = fineness_.size;
     in_scene.bill = bill_of(plan);
+    in_scene.netting = netting_of(plan);
     in_scene.sheet = sheet_of(plan, gear_);
   } else {
     gear_ = gears::make_gear(plan, gears::Extent::whole);  // gives the names of the gear's parts

@@ -3,6 +3,7 @@
 
 #include "io/formats/units/units.hpp"
 #include "io/gears/drawing/plan_layout.hpp"
+#include "io/gears/plan/check.hpp"
 
 #include <limits>
 #include <utility>
@@ -63,6 +64,33 @@ BillItem item_of(const gears::Pieces& pieces) {
           kNone};
 }
 
+/// The cuttings of one side, from fore to aft.
+std::string spelled(const std::vector<gears::Cut>& side) {
+  std::string text;
+  for (const auto& cut : side)
+    text += (text.empty() ? "" : ", ") + cut.written +
+            (cut.goes > 0   ? " out "
+             : cut.goes < 0 ? " in "
+                            : " ") +
+            gears::in_meshes(cut.deep);
+  return text;
+}
+
+NettingSheet sheet_of(const gears::Panel& panel) {
+  return {.name = panel.name,
+          .number = count_of(panel.stands),
+          .mesh = panel.mesh,
+          .twine = panel.twine_name,
+          .twines = static_cast<double>(panel.twines),
+          .laid = panel.orientation,
+          .fore = panel.count(panel.fore),
+          .aft = panel.count(panel.aft),
+          .deep = panel.depth,
+          .pieces = static_cast<double>(panel.pieces),
+          .outer = spelled(panel.outer),
+          .inner = spelled(panel.inner)};
+}
+
 SheetPlace place_of(const gears::PlacedPanel& placed) {
   const gears::PanelPoint origin = placed.on_sheet({0, 0}), across = placed.on_sheet({1, 0}),
                           deep = placed.on_sheet({0, 1});
@@ -80,6 +108,13 @@ std::vector<BillItem> bill_of(const gears::NetPlan& plan) {
     if (!rope.is_selvedge) bill.push_back(item_of(rope));
   for (const auto& pieces : plan.pieces) bill.push_back(item_of(pieces));
   return bill;
+}
+
+std::vector<NettingSheet> netting_of(const gears::NetPlan& plan) {
+  std::vector<NettingSheet> netting;
+  for (const auto& panel : plan.panels)
+    if (!panel.has_corners) netting.push_back(sheet_of(panel));
+  return netting;
 }
 
 std::map<std::string, SheetPlace> sheet_of(const gears::NetPlan& plan, const gears::Gear& gear) {

@@ -17,6 +17,9 @@ double breaking_load_of(const formats::Value& numbers);
 /// the plan; port and starboard share one row.
 std::vector<BillItem> bill_of(const gears::NetPlan& plan);
 
+/// The panels of a gear that counts and cuttings define.
+std::vector<NettingSheet> netting_of(const gears::NetPlan& plan);
+
 /// The place of every panel of the gear on the drawing of its plan.
 std::map<std::string, SheetPlace> sheet_of(const gears::NetPlan& plan, const gears::Gear& gear);
 

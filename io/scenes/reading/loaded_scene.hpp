@@ -80,6 +80,21 @@ struct BillItem {
   double area = 0;           // projected area of a body [m2]
 };
 
+/// A panel of a net plan, as net makers order and cut it.
+struct NettingSheet {
+  std::string name;
+  double number = 1;                   // such panels in the whole gear
+  double mesh = 0;                     // stretched mesh size, two bars [m]
+  std::string twine;                   // name in the catalogue; empty if the plan has numbers instead
+  double twines = 1;                   // twines side by side: 2 in double netting
+  std::string laid;                    // diamond, square, t90
+  double fore = 0, aft = 0, deep = 0;  // meshes of the whole edges, and from fore to aft over all pieces
+  double pieces = 1;                   // pieces sewn mesh to mesh in a row
+  // Cuttings from fore to aft, with the meshes that each goes aft: "1N2B in 40, AN 10". A panel in the middle
+  // has the outer one on both sides and no inner one.
+  std::string outer, inner;
+};
+
 /// The place of a panel on the drawing of its plan, in metres of stretched netting, y aft. The point (U, V)
 /// of the panel, in meshes, is at (x + U x_across + V x_deep, y + U y_across + V y_deep).
 struct SheetPlace {
@@ -103,6 +118,7 @@ struct GearInScene {
   double ship_speed = 0;       // speed over the ground [m/s]; 0 without a ship
   double ship_efficiency = 0;  // towing power over the heating power of the fuel; 0: unknown
   std::vector<BillItem> bill;
+  std::vector<NettingSheet> netting;
   std::map<std::string, SheetPlace> sheet;  // places of panels by their name
 };
 

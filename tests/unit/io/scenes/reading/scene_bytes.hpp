@@ -149,12 +149,16 @@ class SceneBytes {
     const auto& [kind, name, part_name, number, length, diameter, breaking_load, mass, area] = b;
     put_all(kind, name, part_name, number, length, diameter, breaking_load, mass, area);
   }
+  void put(const NettingSheet& s) {
+    const auto& [name, number, mesh, twine, twines, laid, fore, aft, deep, pieces, outer, inner] = s;
+    put_all(name, number, mesh, twine, twines, laid, fore, aft, deep, pieces, outer, inner);
+  }
   void put(const SheetPlace& s) { put_all(s.x, s.y, s.x_across, s.y_across, s.x_deep, s.y_deep); }
   void put(const GearInScene& g) {
     const auto& [times, panels, ropes, pieces, points, nodes, size, headline, footrope, across, roles, pairs,
-                 ship_speed, ship_efficiency, bill, sheet] = g;
+                 ship_speed, ship_efficiency, bill, netting, sheet] = g;
     put_all(times, panels, ropes, pieces, points, nodes, size, headline, footrope, across, roles, pairs,
-            ship_speed, ship_efficiency, bill, sheet);
+            ship_speed, ship_efficiency, bill, netting, sheet);
   }
   void put(const Strength& s) { put_all(s.breaking_load, s.material); }
   void put(const LoadedScene& l) {
