@@ -38,9 +38,8 @@ class SchemeProbe {
   double moved(const MarchState& at, double h) const;
 
   TransientProblem problem_;
-  // Accelerations without the coupling of masses: the scheme starts from them, and they show which unknowns
-  // have mass.
-  std::vector<double> a_;
+  std::vector<double> mass_;  // of every unknown, without coupling [kg]
+  std::vector<double> a_;     // accelerations from which the scheme starts
   std::vector<double> force_, mean_a_, next_u_, next_v_, next_a_, error_;
   double driving_ = 0;  // largest of the forces F(t, u, v, 0) on unknowns with mass [N]
   bool is_driven_ = false, is_moving_ = false;  // which halves of (1) can be tested

@@ -32,6 +32,9 @@ class TransientProblem {
 
   /// Accelerations at a state; zero for nodes without mass. Returns OK, OUTSIDE_DOMAIN or ERROR.
   int start(double t, std::span<const double> u, std::span<const double> v, std::span<double> a);
+  /// Masses of the unknowns at the last state for which accelerations were found, without their coupling
+  /// [kg].
+  std::vector<double> masses() const { return masses_.diagonal(); }
   /// Balance of the forces in the last evaluation; after `start`, of the forces without inertia.
   Balance balance() { return algebra_.balance(state_.x(), residual_); }
   /// Highest angular frequency of the linear stiffness and the masses at the start [rad/s].
