@@ -29,11 +29,12 @@ double turn_factor(const ElementFamily& f, std::size_t element, std::size_t row)
   return row / 3 == 1 ? f.arm(element) : 1;
 }
 
-/// The body that has its origin at a node.
-std::size_t body_at(std::span<const std::array<std::uint32_t, 2>> bodies, std::uint32_t origin) {
-  const auto found = std::ranges::find_if(bodies, [&](const auto& body) { return body[0] == origin; });
-  assert(found != bodies.end());
-  return static_cast<std::size_t>(found - bodies.begin());
+/// The index of the body on which an element is. The rotation nodes of bodies have consecutive numbers.
+std::size_t body_of(const ElementFamily& f, std::size_t element,
+                    std::span<const std::array<std::uint32_t, 2>> bodies) {
+  const std::size_t body = f.node(element, 1) - bodies.front()[1];
+  assert(bodies[body][0] == f.node(element, 0));
+  return body;
 }
 
 /// Adds entry (r, c) of elements on bodies. The rows of such an element belong first to the origin, then to
@@ -47,7 +48,7 @@ void add_on_bodies(const ElementFamily& f, const netloft_tile& t, std::size_t r,
     if (r / 3 == c / 3)
       masses.nodes[9 * std::size_t{f.node(e, static_cast<int>(r / 3))} + 3 * (r % 3) + c % 3] += m;
     else if (r < 3 && c / 3 == 1)
-      masses.between[9 * body_at(bodies, f.node(e, 0)) + 3 * r + c % 3] += m;
+      masses.between[9 * body_of(f, e, bodies) + 3 * r + c % 3] += m;
     else if (r / 3 != 1 || c >= 3)
       masses.coupled = std::max(masses.coupled, std::abs(m));
   }
