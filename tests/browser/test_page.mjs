@@ -529,7 +529,7 @@ for (const scheme of ['light', 'dark'])
     });
 
 test('the report as a page has key figures, loads and pictures with dimensions, and is accessible', async () => {
-  execFileSync(process.env.NETLOFT_PROGRAM, ['report', 'trawl.hdf', '--html', '-o', 'report.html'], {stdio: 'pipe'});
+  execFileSync(process.env.NETLOFT_PROGRAM, ['report', 'trawl.hdf', '-o', 'report.html'], {stdio: 'pipe'});
   const {page, seen} = await open(browser.context, join(process.cwd(), 'report.html'), {scripts: false});
   assert.match(await page.textContent('#keys'), /headline height[0-9.]+ m/);
   assert.ok(await page.locator('meter').count() > 4);

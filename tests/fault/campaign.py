@@ -521,18 +521,18 @@ def make_cases(words, program, folder):
     plan = {name: content for name, content in study.items() if name.endswith(".toml")}
     begun = {name: content for i, (name, content) in enumerate(study.items()) if not name.endswith(".json") or i % 2}
     bars = {"bars.csv": (Path(words.source) / "tests" / "fuzz" / "seeds" / "import" / "table").read_bytes()}
-    solve = ["compare", *panel, "--solver", "newton", "--tolerance", "1e-3:1e-2", "--repeats", "1", "--csv", "out.csv"]
+    solve = ["compare", *panel, "--solver", "newton", "--tolerance", "1e-3:1e-2", "--repeats", "1", "-o", "out.csv"]
     return [Result("run, equilibrium", ["run", *panel, "-o", "p.hdf"], ["run", *panel, "-o", "p.hdf", "--set", "water.gravity=5"], program),
             Motion("run, motion", rope, 0, program),
             Motion("run --resume", rope, 200, program),
             Page("report", ["report", "p.hdf"], (), source, program),
-            Page("report --html", ["report", "p.hdf", "--html", "-o", "out.html"], ("out.html",), source, program),
+            Page("report -o", ["report", "p.hdf", "-o", "out.html"], ("out.html",), source, program),
             Page("diff", ["diff", "p.hdf", "p.hdf"], (), source, program),
             Page("view", ["view", "p.hdf", "-o", "out.html"], ("out.html",), source, program),
             Page("draw", ["draw", "p.hdf", "-o", "out.svg"], ("out.svg",), source, program),
             Page("export", ["export", "p.hdf", "out.glb"], ("out.glb",), source, program),
             Page("import", ["import", "table", "bars.csv", "-o", "bars.toml"], ("bars.toml", "bars.mesh"), bars, program),
-            Page("compare --csv", solve, ("out.csv",), {}, program, is_whole_table),
+            Page("compare -o", solve, ("out.csv",), {}, program, is_whole_table),
             Page("study plan", ["study", "plan", "s.toml"], ("s.study/manifest.jsonl",), plan, program),
             Items("study run", ["study", "run", "s.study", "--jobs", "1"], begun, program),
             Items("study run --items", ["study", "run", "s.study", "--items", missing_item(begun)], begun, program),

@@ -45,9 +45,9 @@ void add_compare_command(CLI::App& app, Chosen& chosen) {
       ->type_name(kMethod);
   command.add_option("--repeats", o.repeats, "number of runs of each method; the fastest counts; default: 3")
       ->check(CLI::Range(1, 1000));
-  command.add_option("--csv", o.csv, "write the tables as comma-separated values")->type_name("FILE.csv");
-  command.add_option("-o,--output,--plot", o.plot, "draw work over precision")
-      ->type_name("FILE.svg|FILE.html");
+  as_words(command.add_option("-o,--output", o.outputs,
+                              "a picture of work over precision, or the tables as .csv; may be repeated"),
+           "FILE.svg|FILE.html|FILE.csv");
 }
 
 void add_refine_command(CLI::App& app, Chosen& chosen) {

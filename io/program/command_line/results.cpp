@@ -20,9 +20,8 @@ void add_report_command(CLI::App& app, Chosen& chosen) {
   report.add_option("RESULT", o.result, "result file (.hdf)")->required();
   auto* json = report.add_flag("--json", o.json, "one JSON object on standard output");
   auto* csv = report.add_flag("--csv", o.csv, "comma-separated values on standard output")->excludes(json);
-  report.add_flag("--html", o.html, "as a page in one file, without scripts")->excludes(csv);
   as_word(report.add_option("-o,--output", o.output,
-                            "file of the page; default: the result's name with .html, in this folder"),
+                            "write the report as a page in one file, without scripts, instead"),
           "FILE.html")
       ->excludes(csv);
 }

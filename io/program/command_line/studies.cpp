@@ -85,6 +85,13 @@ void add_submit_action(CLI::App& study, Chosen& chosen) {
       ->group(kForParallel);
 }
 
+void add_collect_action(CLI::App& study, Chosen& chosen) {
+  auto [collect, o] = add_action(study, chosen, "collect", "put the results of all items into one table",
+                                 study_collect_command);
+  as_word(collect.add_option("-o,--output", o.output, "folder of the tables; default: that of the study"),
+          "FOLDER");
+}
+
 void add_show_action(CLI::App& study, Chosen& chosen) {
   auto [show, o] = add_action(
       study, chosen, "show", "draw figures over a variable, with bands over the samples", study_show_command);
@@ -134,7 +141,7 @@ void add_study_command(CLI::App& app, Chosen& chosen) {
   add_run_action(study, chosen);
   add_missing_action(study, chosen);
   add_submit_action(study, chosen);
-  add_action(study, chosen, "collect", "put the results of all items into one table", study_collect_command);
+  add_collect_action(study, chosen);
   add_show_action(study, chosen);
   add_estimate_action(study, chosen);
   add_sobol_action(study, chosen);

@@ -154,8 +154,7 @@ class Inspection {
         throw UsageError{
             "compare needs known lengths of warp, but this scene finds them by ship.warp.tension; give "
             "ship.warp.length alone"};
-      for (const std::string& file : {options_.csv, options_.plot})
-        require_place(file, paths_of(one.loaded()));
+      for (const std::string& file : options_.outputs) require_place(file, paths_of(one.loaded()));
       return kDone;
     }
     return report_unready(one.diagnostics(), state, terminal_);
@@ -167,27 +166,28 @@ class Inspection {
   bool is_of_motions_ = false;
 };
 
-void write_files(const studies::Comparison& result, const CompareOptions& o) {
-  if (!o.csv.empty()) formats::write_keeping(o.csv, studies::comparison_csv(result));
-  if (o.plot.empty()) return;
+/// The content of an output file, in the format that its ending names.
+std::string content_of(const std::string& file, const studies::Comparison& result) {
+  if (file.ends_with(".csv")) return studies::comparison_csv(result);
   const formats::LinePlot plot = studies::comparison_plot(result);
-  formats::write_keeping(o.plot,
-                         o.plot.ends_with(".html") ? formats::draw_html(plot) : formats::draw_svg(plot));
+  return file.ends_with(".html") ? formats::draw_html(plot) : formats::draw_svg(plot);
+}
+
+void write_files(const studies::Comparison& result, const CompareOptions& o) {
+  for (const std::string& file : o.outputs) formats::write_keeping(file, content_of(file, result));
 }
 
 /// The files that an interrupted comparison does not write.
 std::string unwritten(const CompareOptions& o) {
   std::string text;
-  for (const std::string& file : {o.csv, o.plot})
-    if (!file.empty()) text += (text.empty() ? "; not written: " : ", ") + file;
+  for (const std::string& file : o.outputs) text += (text.empty() ? "; not written: " : ", ") + file;
   return text;
 }
 
 int run_comparison(const CompareOptions& options) {
   require_memory_to_solve();
   studies::ComparisonTask task = read_task(options);
-  require_ending("--csv", options.csv, {".csv"});
-  require_ending("-o", options.plot, {".svg", ".html"});
+  for (const std::string& file : options.outputs) require_ending("-o", file, {".svg", ".html", ".csv"});
   Terminal terminal(options);
   Registry registry;
   find_scene_plugins(options, registry);

@@ -13,7 +13,7 @@ struct CompareOptions : SceneOptions {
   std::string cells;                     // option --cells [PART=]N,N,…
   std::string reference;                 // option --reference NAME[:key=value,…]
   int repeats = 3;                       // option --repeats
-  std::string csv, plot;                 // options --csv FILE, -o FILE.svg|.html
+  std::vector<std::string> outputs;      // options -o FILE.svg|.html|.csv
 };
 
 struct RefineOptions : MethodOptions {

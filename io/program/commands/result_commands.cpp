@@ -57,9 +57,9 @@ void write_and_report(const CommonOptions& options, const std::string& output, c
 
 int report(const ReportOptions& options) {
   const results::Result result = results::read_result(options.result);
-  if (options.html || !options.output.empty())
-    write_and_report(options, output_or(options.output, options.result, ".html"),
-                     pictures::report_page(results::StoredShape(options.result)), {options.result}, kPage);
+  if (!options.output.empty())
+    write_and_report(options, options.output, pictures::report_page(results::StoredShape(options.result)),
+                     {options.result}, kPage);
   else
     print(options.json  ? results::result_json(result) + "\n"
           : options.csv ? results::result_csv(result)

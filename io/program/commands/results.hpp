@@ -7,9 +7,9 @@
 namespace netloft::program {
 
 struct ReportOptions : CommonOptions {
-  std::string result;              // argument RESULT.hdf
-  bool html = false, csv = false;  // options --html, --csv
-  std::string output;              // option -o
+  std::string result;  // argument RESULT.hdf
+  bool csv = false;    // option --csv
+  std::string output;  // option -o
 };
 
 struct ExportOptions : CommonOptions {

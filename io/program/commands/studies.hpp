@@ -21,9 +21,13 @@ struct StudyPlanOptions : PluginOptions {
   std::string output;  // option -o
 };
 
-/// Options of the actions `study missing` and `study collect`.
+/// Options of the action `study missing`.
 struct StudyOptions : CommonOptions {
   std::string folder;  // argument FOLDER
+};
+
+struct StudyCollectOptions : StudyOptions {
+  std::string output;  // option -o; empty: the folder of the study
 };
 
 struct StudyRunOptions : PluginOptions {
@@ -62,7 +66,7 @@ int study_plan_command(const StudyPlanOptions& options);
 int study_run_command(const StudyRunOptions& options);
 int study_missing_command(const StudyOptions& options);
 int study_submit_command(const StudySubmitOptions& options);
-int study_collect_command(const StudyOptions& options);
+int study_collect_command(const StudyCollectOptions& options);
 int study_show_command(const StudyShowOptions& options);
 int study_estimate_command(const StudyEstimateOptions& options);
 int study_sobol_command(const StudySobolOptions& options);

@@ -16,21 +16,23 @@ namespace fs = std::filesystem;
 
 }  // namespace
 
-int study_collect_command(const StudyOptions& o) {
+int study_collect_command(const StudyCollectOptions& o) {
   Terminal terminal(o);
   const fs::path folder = o.folder;
   const studies::Study study = read_study(folder);
+  const fs::path output = o.output.empty() ? folder : fs::path(o.output);
+  if (!fs::is_directory(output)) throw UsageError{"-o " + o.output + ": there is no such folder"};
   const studies::StudyTable table = studies::collect_table(study, folder);
-  formats::write_whole(folder / "table.csv", studies::study_csv(table));
-  formats::write_whole(folder / "table.hdf", studies::study_hdf5(study, table));
-  formats::write_whole(folder / "costs.csv", studies::costs_csv(study, folder));
+  formats::write_whole(output / "table.csv", studies::study_csv(table));
+  formats::write_whole(output / "table.hdf", studies::study_hdf5(study, table));
+  formats::write_whole(output / "costs.csv", studies::costs_csv(study, folder));
   if (const std::string changed = what_changed(study, folder); !changed.empty())
     terminal.say("netloft: " + changed + "; the table shows the study as it was planned");
   for (const std::string& sentence : table.sentences) terminal.say("netloft: " + sentence);
   const auto counts = table.count_by_status();
   std::string text = fmt::format("{}: {}", study.name, count_of(table.rows.size(), "point"));
   for (const auto& [status, count] : counts) text += fmt::format(", {} {}", count, status);
-  text += fmt::format("\n  written to {}", (folder / "table.csv").string() + ", table.hdf and costs.csv");
+  text += fmt::format("\n  written to {}", (output / "table.csv").string() + ", table.hdf and costs.csv");
   print_answer(o,
                {{"points", table.rows.size()},
                 {"by_status", counts},

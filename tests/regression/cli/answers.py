@@ -70,7 +70,7 @@ ALL = [
          {"prepare": "echo mine > precious; ln -s precious p.hdf.part", "holds": "grep -qx mine precious"}),
         ("full_disk 100 netloft draw gear-library/gears/83-112-eastern.toml -o out.svg", 1,
          "out.svg cannot be written: No space left on device", OLD),
-        ("full_disk 100 netloft compare $panel --solver newton --tolerance 1e-2:1e-2 --repeats 1 --plot out.svg", 1,
+        ("full_disk 100 netloft compare $panel --solver newton --tolerance 1e-2:1e-2 --repeats 1 -o out.svg", 1,
          "out.svg cannot be written: No space left on device", OLD)),
     *answers(
         "3. A method that does not fit, and a result that is worse than the existing one",
@@ -186,8 +186,8 @@ ALL = [
          "--update-references keeps answers of the cases as they are written; --set changes them"),
         ("hard_cases $suite --seed -1", 2, "--seed: Value -1 not in range 0 to"),
         ("hard_cases $suite --seconds-per-case nan", 2, "--seconds-per-case: Value nan not in range 0.001 to 1000000"),
-        ("hard_cases $suite --html nowhere/x.html", 2, "nowhere/x.html cannot be written: there is no folder nowhere"),
-        ("full_disk 100 netloft compare $panel --solver newton --tolerance 1e-2:1e-2 --repeats 1 --csv t.csv", 1,
+        ("hard_cases $suite -o nowhere/x.html", 2, "nowhere/x.html cannot be written: there is no folder nowhere"),
+        ("full_disk 100 netloft compare $panel --solver newton --tolerance 1e-2:1e-2 --repeats 1 -o t.csv", 1,
          "newton … converged … t.csv cannot be written: No space left on device", {"needs": "FULL_DISK"})),
     *answers(
         "14. Strategies with wrong names or parameters, and strategies that fail",

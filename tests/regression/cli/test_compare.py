@@ -109,7 +109,7 @@ class Comparisons(InFreshFolder):
 
     def test_files(self):
         ended = self.compare(ROPE, *BARS, "--solver", "newton", "--solver", "newton:method=classic,damping=0", "--tolerance",
-                             "1e-8:1e-7", "--cells", "10,20", "--csv", "a.csv", "--plot", "a.svg")
+                             "1e-8:1e-7", "--cells", "10,20", "-o", "a.csv", "-o", "a.svg")
         self.assertEqual(ended.code, 0, ended.err)
         rows = list(csv.DictReader(io.StringIO((self.folder / "a.csv").read_text())))
         self.assertEqual([r["kind"] for r in rows].count("discretisation"), 2)
@@ -172,9 +172,8 @@ class Comparisons(InFreshFolder):
         self.assertIn("divided are rope", self.refused(ROPE, *newton, "--cells", "net=8,16"))
         self.assertIn("not a whole number of cells", self.refused(str(SCENES / "dead-weight-panel.toml"), "--set",
                                                                "parts.net.cells=[32,18]", *newton, "--cells", "8,16,32"))
-        self.assertIn(".svg or .html", self.refused(ROPE, *newton, "--plot", "a.png"))
-        self.assertIn("--csv a.hdf: the name of this file must end in .csv", self.refused(ROPE, *newton, "--csv", "a.hdf"))
-        self.assertIn("no folder", self.refused(ROPE, *newton, "--csv", "nowhere/a.csv"))
+        self.assertIn("-o a.png: the name of this file must end in .svg or .html or .csv", self.refused(ROPE, *newton, "-o", "a.png"))
+        self.assertIn("no folder", self.refused(ROPE, *newton, "-o", "a.svg", "-o", "nowhere/a.csv"))
         self.assertIn("is no name of a solver", self.refused(ROPE, "--solver", "a b"))
         self.assertIn("damping", self.refused(ROPE, "--solver", "newton:dampinng=1"))
         self.assertIn("newton", self.refused(ROPE, "--solver", "newtom", code=4))
@@ -182,7 +181,7 @@ class Comparisons(InFreshFolder):
 
     def test_the_scene_is_never_written_over(self):
         self.write("scene.csv", GOOD)
-        self.assertIn("read from it", self.refused("scene.csv", "--solver", "newton", "--csv", "scene.csv"))
+        self.assertIn("read from it", self.refused("scene.csv", "--solver", "newton", "-o", "scene.csv"))
         self.assertEqual((self.folder / "scene.csv").read_text(), GOOD)
 
     def test_a_scene_without_cells_has_no_mesh_to_refine(self):
@@ -237,8 +236,8 @@ class Motions(InFreshFolder):
     def test_that_are_lost_are_called_lost(self):
         """Steps that are far too long for the paper's fixed point, which no control of errors shortens."""
         ended = self.compare("--integrator", "newmark:corrector=fixed-point", "--integrator", "energy-momentum", "--accuracy",
-                             "1e-1", "--set", "analysis.adaptive=false", "--set", "analysis.step=0.1", "--plot", "a.svg",
-                             "--csv", "a.csv")
+                             "1e-1", "--set", "analysis.adaptive=false", "--set", "analysis.step=0.1", "-o", "a.svg",
+                             "-o", "a.csv")
         self.assertEqual(ended.code, 0, ended.err)
         self.assertRegex(ended.out, r"newmark:corrector=fixed-point +1e-01 lost +- ")
         self.assertIn("newmark:corrector=fixed-point: lost at 1e-01: ", ended.out)
@@ -259,7 +258,7 @@ class Motions(InFreshFolder):
         self.assertIn("newmark: out of work at 1e-03: the budget of work was spent at t = 0.", told.out)
 
     def test_an_integrator_that_is_not_installed_has_a_row(self):
-        ended = self.compare("--json", "--integrator", "symplectic", "--integrator", "newmark", "--accuracy", "1e-2", "--plot", "a.svg")
+        ended = self.compare("--json", "--integrator", "symplectic", "--integrator", "newmark", "--accuracy", "1e-2", "-o", "a.svg")
         self.assertEqual(ended.code, 0, ended.err)
         absent = ended.json()["integrators"][0]
         self.assertEqual((absent["integrator"], absent["reference"], len(absent["trials"])), ("symplectic", None, 1))

@@ -55,7 +55,7 @@ class Interrupted(InFreshFolder):
 
     def test_a_comparison_shows_what_was_tried(self):
         out, err = self.interrupted("compare", PANEL, *NEVER, "--solver", "newton", "--solver", "ptc", "--tolerance", "1e-16:1e-2",
-                                    "--csv", "kept.csv", "--plot", "kept.svg", "--json")
+                                    "-o", "kept.csv", "-o", "kept.svg", "--json")
         report = json.loads(out)
         self.assertEqual(report["status"], "interrupted")
         self.assertEqual(report["methods"][0]["method"], "newton")
@@ -86,7 +86,7 @@ class Interrupted(InFreshFolder):
         self.assertIn("of 9 depths, and kept.svg is not written", err)
 
     def test_a_suite_shows_the_cases_that_were_solved(self):
-        out, err = self.interrupted("hard_cases", str(SOURCE / "tests/stability"), "--solver", "newton", "--size", "small", "--html", "kept.html",
+        out, err = self.interrupted("hard_cases", str(SOURCE / "tests/stability"), "--solver", "newton", "--size", "small", "-o", "kept.html",
                                     is_due=lambda line: line.strip())
         self.assertRegex(err, r"interrupted; the suite ends here, after [1-9]\d* of its cases")
         self.assertIn("right", out)

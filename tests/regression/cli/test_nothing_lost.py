@@ -117,8 +117,8 @@ class Writers(InFreshFolder):
     @unittest.skipUnless(FULL_DISK, "needs tests/support/full_disk")
     def test_leave_what_was_there_when_the_disk_is_full(self):
         commands = (["draw", str(GEAR), "-o", "out.svg"],
-                    ["compare", *PANEL, "--solver", "newton", "--tolerance", "1e-3:1e-2", "--repeats", "1", "--csv", "out.csv"],
-                    ["compare", *PANEL, "--solver", "newton", "--tolerance", "1e-3:1e-2", "--repeats", "1", "--plot", "out.svg"])
+                    ["compare", *PANEL, "--solver", "newton", "--tolerance", "1e-3:1e-2", "--repeats", "1", "-o", "out.csv"],
+                    ["compare", *PANEL, "--solver", "newton", "--tolerance", "1e-3:1e-2", "--repeats", "1", "-o", "out.svg"])
         for name in ("out.svg", "out.csv"):
             self.write(name, "old")
         before = self.files()
@@ -146,7 +146,7 @@ class OnAFullDisk(InFreshFolder):
 
     def test_the_page_of_the_suite_stays_as_it_was(self):
         words = ["hard_cases", str(SOURCE / "tests" / "stability"), "--size", "small", "--case", "hanging-panel/flat-sketch", "--solver", "newton",
-                 "--html", "matrix.html"]
+                 "-o", "matrix.html"]
         self.assertGreater(self.count_writes(*words), 0)
         self.write("matrix.html", "old")
         ended = self.fail(1, *words)

@@ -53,7 +53,7 @@ class Results(InFreshFolder):
         data = json.loads(re.search(r'id="data">(.*?)</script>', view, re.S)[1])["results"][0]
         self.assertEqual({f["name"]: f["value"] for f in data["figures"]}, figures)
         self.check_text(text, report)
-        for page in (view, self.page("report", file, ["--html"], code)):
+        for page in (view, self.page("report", file, [], code)):
             self.check_page(page, text)
             self.assertFalse(re.search("<summary>/", page), "names a file by its folder on this machine")
         self.assertRegex(self.netloft("diff", file, file).out, r"none of \d+ numbers changed")
@@ -97,7 +97,7 @@ class OneResult(Results):
     def test_a_gear_has_all_its_tables_on_the_page(self):
         scene, settings, words, code = SCENES["boards"]
         text = self.said("run", str(LIBRARY / scene), "--set", settings[0], "-o", "b.hdf", code=0).out
-        self.assertGreater(self.check_page(self.page("report", "b.hdf", ["--html"], 0), text), 50)
+        self.assertGreater(self.check_page(self.page("report", "b.hdf", [], 0), text), 50)
         for title in ("bodies", "water on bodies", "warps", "ropes across the gear", "netting", "forces by part"):
             self.assertRegex(text, rf"(?m)^  {title} ")
 

@@ -115,7 +115,7 @@ class Results(InFreshFolder):
 
     def test_a_page_of_the_report_has_plan_views_and_materials(self):
         result, _ = self.gear()
-        self.done("report", result, "--html", "-o", "page.html")
+        self.done("report", result, "-o", "page.html")
         page = (self.folder / "page.html").read_text()
         parts, words = Elements(page), " ".join(Elements(page).texts)
         self.assertEqual((parts.names.count("svg"), parts.names.count("image"), parts.names.count("script")), (5, 4, 0))
@@ -227,7 +227,7 @@ class Results(InFreshFolder):
             f["netloft/provenance/files/path"][0] = HOSTILE + ".toml"
             f["VTKHDF/CellData"].move("strain", "<b>strain")
             f["VTKHDF/Steps/CellDataOffsets"].move("strain", "<b>strain")
-        for words in (["view", result, "-o", "a.html"], ["report", result, "--html", "-o", "b.html"]):
+        for words in (["view", result, "-o", "a.html"], ["report", result, "-o", "b.html"]):
             self.done(*words)
             page = (self.folder / words[-1]).read_text()
             parts = Elements(page)
@@ -304,7 +304,7 @@ class Results(InFreshFolder):
                     self.assertIn(number, said, line)
 
     def page(self, result):
-        self.done("report", result, "--html", "-o", "page.html")
+        self.done("report", result, "-o", "page.html")
         return (self.folder / "page.html").read_text()
 
     def test_what_it_is_made_from_is_never_replaced(self):

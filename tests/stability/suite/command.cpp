@@ -89,7 +89,7 @@ std::vector<Column> find_columns(const Suite& suite, const SuiteOptions& options
 int print_matrix(const MatrixTitle& title, const SuiteOptions& options, const std::vector<Row>& rows,
                  program::Terminal& terminal, int code) {
   print_line(options.json ? matrix_json(title, rows) : matrix_text(title, rows));
-  const std::string& page = options.html;
+  const std::string& page = options.output;
   if (page.empty() || code == program::kInterrupted) return code;
   return program::write_last(terminal, code, [&] { formats::write_keeping(page, matrix_html(title, rows)); });
 }
@@ -141,7 +141,7 @@ RunOptions run_options(const SuiteOptions& o, MatrixSoFar& matrix, program::Watc
 std::string what_is_left(const SuiteOptions& o, std::size_t cases) {
   return "the suite ends here, after " + std::to_string(cases) + " of its cases" +
          (o.update_references ? "; no reference is renewed" : "") +
-         (o.html.empty() ? "" : "; not written: " + o.html);
+         (o.output.empty() ? "" : "; not written: " + o.output);
 }
 
 }  // namespace
@@ -154,8 +154,8 @@ int run_hard_cases(const SuiteOptions& o) {
   if (o.update_references && !o.set.empty())
     throw program::UsageError{
         "--update-references keeps answers of the cases as they are written; --set changes them"};
-  program::require_ending("--html", o.html, {".html", ".htm"});
-  program::require_place(o.html, {});
+  program::require_ending("-o", o.output, {".html", ".htm"});
+  program::require_place(o.output, {});
   const std::filesystem::path folder = o.suite;
   const Suite suite = read_suite(folder, o.seed, diagnostics);
   if (diagnostics.errors())

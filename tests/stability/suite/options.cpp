@@ -45,7 +45,7 @@ void add_options(CLI::App& app, SuiteOptions& s) {
   add_columns(app, s);
   add_cases(app, s);
   add_budgets(app, s);
-  app.add_option("--html", s.html, "write the matrix as a page")->type_name("FILE.html");
+  app.add_option("-o,--output", s.output, "write the matrix as a page")->type_name("FILE.html");
   app.add_flag("--update-references", s.update_references, "keep the best answers found in the suite");
   app.add_option("--threads", s.threads, "threads of the assembly; else one")->check(CLI::Range(1, 1024));
   program::add_plugin_options(app, s);
