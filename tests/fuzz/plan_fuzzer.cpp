@@ -47,7 +47,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (diagnostics.errors() == 0) gears::check_seams(plan, diagnostics);
   use(diagnostics.render(false).size());
   if (diagnostics.errors()) return 0;
-  use(gears::draw_plan(plan).size());
+  formats::SvgPicture picture;
+  use(static_cast<std::size_t>(gears::draw_plan(plan, picture).width));
   try_gear(plan, gears::Extent::whole);
   try_gear(plan, gears::Extent::half);
   return 0;

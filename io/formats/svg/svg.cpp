@@ -84,6 +84,10 @@ std::string escape_markup(const std::string& text) {
   return safe;
 }
 
+void SvgPicture::line(PicturePoint from, PicturePoint to, const char* colour, double width) {
+  line(from, to, colour, width, "");
+}
+
 void SvgPicture::line(PicturePoint from, PicturePoint to, const char* colour, double width,
                       const char* dashes) {
   const std::string dashed = *dashes ? fmt::format(" stroke-dasharray=\"{}\"", dashes) : "";
@@ -150,12 +154,13 @@ void SvgPicture::number(PicturePoint at, double value, bool as_power, double siz
   words(at, markup, size, "#222222", anchor);
 }
 
-std::string SvgPicture::finish(double width, double height) const {
+std::string SvgPicture::finish(DrawingSize size, double pixels) const {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {2} {3}\" "
       "font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n{4}</svg>\n",
-      coordinate(2 * width), coordinate(2 * height), coordinate(width), coordinate(height), body_);
+      coordinate(pixels), coordinate(size.height * pixels / size.width), coordinate(size.width),
+      coordinate(size.height), body_);
 }
 
 }  // namespace netloft::formats

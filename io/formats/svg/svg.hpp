@@ -11,17 +11,34 @@ struct PicturePoint {
 
 enum class Anchor { start, middle, end };
 
-/// An SVG picture: a list of shapes, drawn in the order in which they are added.
-class SvgPicture {
+/// Receives the lines and texts of a drawing in the order in which they are drawn, for any kind of file.
+/// Colours are written as in SVG: "#222" or "#0b5fa5".
+class LineDrawing {
  public:
-  void line(PicturePoint from, PicturePoint to, const char* colour, double width, const char* dashes = "");
+  virtual ~LineDrawing() = default;
+  virtual void line(PicturePoint from, PicturePoint to, const char* colour, double width) = 0;
+  virtual void text(PicturePoint at, const std::string& text, double size, const char* colour,
+                    Anchor anchor) = 0;
+};
+
+/// The size of a finished drawing.
+struct DrawingSize {
+  double width, height;
+};
+
+/// An SVG picture: a list of shapes, drawn in the order in which they are added.
+class SvgPicture : public LineDrawing {
+ public:
+  void line(PicturePoint from, PicturePoint to, const char* colour, double width) override;
+  void line(PicturePoint from, PicturePoint to, const char* colour, double width, const char* dashes);
   void frame(PicturePoint corner, PicturePoint opposite, const char* colour);
   void path(const std::vector<PicturePoint>& points, const char* colour, double width);
   /// A closed area without an outline; `opacity` from 0 to 1.
   void area(const std::vector<PicturePoint>& outline, const char* colour, double opacity);
   /// Draws one of eight shapes, which differ even without their colour; from the ninth on they repeat.
   void marker(PicturePoint at, std::size_t shape, const char* colour, bool is_hollow = false);
-  void text(PicturePoint at, const std::string& text, double size, const char* colour, Anchor anchor);
+  void text(PicturePoint at, const std::string& text, double size, const char* colour,
+            Anchor anchor) override;
   /// Draws text that reads upwards. With `halo` the text has a white rim that separates it from the lines
   /// behind.
   void rotated_text(PicturePoint at, const std::string& text, double size, const char* colour, Anchor anchor,
@@ -29,8 +46,10 @@ class SvgPicture {
   /// Draws the number of a tick, as a power of ten (10⁻³) or as a decimal (0.02).
   void number(PicturePoint at, double value, bool as_power, double size, Anchor anchor);
 
-  /// The complete file, with a white background.
-  std::string finish(double width, double height) const;
+  /// The complete file, with a white background, twice as large on a screen as its numbers say.
+  std::string finish(double width, double height) const { return finish({width, height}, 2 * width); }
+  /// The same at another width on a screen [pixels].
+  std::string finish(DrawingSize size, double pixels) const;
 
  private:
   void words(PicturePoint at, const std::string& markup, double size, const char* colour, Anchor anchor,

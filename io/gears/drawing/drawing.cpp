@@ -3,8 +3,8 @@
 
 #include "io/formats/work/long_work.hpp"
 
-#include "io/formats/svg/svg.hpp"
 #include "io/formats/units/degrees.hpp"
+#include "io/gears/drawing/lettering.hpp"
 #include "io/gears/drawing/plan_layout.hpp"
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/names.hpp"
@@ -20,8 +20,7 @@ namespace netloft::gears {
 namespace {
 
 constexpr double kWidth = 1100, kTallest = 1500, kMargin = 60, kLeftMargin = 130, kLineHeight = 16;
-constexpr double kWordsWidth = 100;  // least width of a panel that can hold its text
-constexpr double kSmall = 10, kNormal = 12, kTitle = 16;
+constexpr double kSmall = Lettering::kSmall, kNormal = Lettering::kNormal, kTitle = 16;
 constexpr const char *kInk = "#222", *kPale = "#777", *kRope = "#0b5fa5";
 
 /// Converts metres on the net to positions on the sheet.
@@ -87,34 +86,44 @@ formats::PicturePoint halfway(formats::PicturePoint a, formats::PicturePoint b) 
 /// Draws a plan; the member functions are steps in the order of execution.
 class Draughtsman {
  public:
-  explicit Draughtsman(const NetPlan& plan)
-      : plan_(plan), panels_(lay_out(plan)), box_(box_of(panels_)), scale_(scale_for(box_)) {}
+  Draughtsman(const NetPlan& plan, formats::LineDrawing& picture)
+      : plan_(plan),
+        panels_(lay_out(plan)),
+        box_(box_of(panels_)),
+        scale_(scale_for(box_)),
+        picture_(picture),
+        lettering_(picture, kWidth) {}
 
-  std::string draw() {
-    picture_.text({kMargin, kMargin / 2}, plan_.title.empty() ? "Net plan" : plan_.title, kTitle, kInk,
-                  formats::Anchor::start);
+  formats::DrawingSize draw() {
+    draw_title();
     for (const auto& panel : panels_) draw_border(panel);
     for (const auto& panel : panels_) draw_labels(panel);
+    for (const auto& panel : panels_)
+      if (panel.is_mirrored == (panel.panel->stands == Standing::pair)) draw_words(panel);
     line_ = scale_({box_.left, box_.bottom}).y + 3 * kLineHeight;
     draw_scale();
     list_ropes();
     list_pieces();
     list_joins();
-    return picture_.finish(kWidth, line_ + kMargin / 2);
+    return {kWidth, line_ + kMargin / 2};
   }
 
-  std::string draw(const Gear& gear, const GearMesh& mesh) {
-    picture_.text({kMargin, kMargin / 2}, plan_.title.empty() ? "Net plan" : plan_.title, kTitle, kInk,
-                  formats::Anchor::start);
+  formats::DrawingSize draw(const Gear& gear, const GearMesh& mesh) {
+    draw_title();
     for (std::size_t p = 0; p < gear.panels.size(); ++p) draw_triangles(gear.panels[p], mesh.panels[p]);
     for (const auto& panel : panels_) draw_border(panel);
     line_ = scale_({box_.left, box_.bottom}).y + 3 * kLineHeight;
     draw_scale();
     say_quality(mesh);
-    return picture_.finish(kWidth, line_ + kMargin / 2);
+    return {kWidth, line_ + kMargin / 2};
   }
 
  private:
+  void draw_title() {
+    picture_.text({kMargin, kMargin / 2}, plan_.title.empty() ? "Net plan" : plan_.title, kTitle, kInk,
+                  formats::Anchor::start);
+  }
+
   void draw_triangles(const GearPanel& panel, const PanelMesh& mesh) {
     const auto placed = std::find_if(panels_.begin(), panels_.end(), [&](const PlacedPanel& one) {
       return one.panel == panel.panel && one.is_mirrored == panel.is_mirrored;
@@ -166,11 +175,9 @@ class Draughtsman {
 
   /// Labels of the netting are to port, labels of the cuttings to starboard.
   void draw_labels(const PlacedPanel& placed) {
-    if (!placed.is_mirrored) {
-      for (const auto& edge : placed.outline.edges) draw_edge_label(placed, edge);
-      draw_counts(placed);
-    }
-    if (placed.is_mirrored == (placed.panel->stands == Standing::pair)) draw_words(placed);
+    if (placed.is_mirrored) return;
+    for (const auto& edge : placed.outline.edges) draw_edge_label(placed, edge);
+    draw_counts(placed);
   }
 
   /// Puts a label beside the middle of an edge. If the panel becomes wider towards aft, the label is above
@@ -182,8 +189,9 @@ class Draughtsman {
     const bool is_outer = edge.kind == EdgeKind::outer, falls_right = (to.x - from.x) * (to.y - from.y) > 0;
     const double aside = is_outer ? 7 : -7, y = falls_right == is_outer ? at.y - 12 : at.y;
     const formats::Anchor anchor = is_outer ? formats::Anchor::start : formats::Anchor::end;
-    picture_.text({at.x + aside, y}, cutting_of(*placed.panel, edge.name), kSmall, kInk, anchor);
-    picture_.text({at.x + aside, y + 11}, in_meshes(edge.meshes) + " M", kSmall, kPale, anchor);
+    const std::string cutting = cutting_of(*placed.panel, edge.name);
+    if (!cutting.empty()) lettering_.write({at.x + aside, y}, cutting, kSmall, kInk, anchor);
+    lettering_.write({at.x + aside, y + 11}, in_meshes(edge.meshes) + " M", kSmall, kPale, anchor);
   }
 
   void draw_counts(const PlacedPanel& placed) {
@@ -199,33 +207,77 @@ class Draughtsman {
       const bool in_middle = placed.panel->stands == Standing::middle && edge.name == counts.front().name;
       if (in_middle) at.x = place(placed, {0, 0}).x;
       const bool is_short = std::abs(place(placed, edge.to).x - place(placed, edge.from).x) < 12;
-      picture_.text({at.x, at.y + (is_short ? -4 : below)}, in_meshes((in_middle ? 2 : 1) * edge.meshes),
-                    kSmall, kInk, formats::Anchor::middle);
+      lettering_.write({at.x, at.y + (is_short ? -4 : below)}, in_meshes((in_middle ? 2 : 1) * edge.meshes),
+                       kSmall, kInk, formats::Anchor::middle);
     }
   }
 
-  /// Puts the text in the middle of the panel; if the panel is narrow, beside it to port.
+  /// Puts the text where it overlaps no other: in the middle of the panel; in two lines, if the panel is
+  /// short; beside its middle; or to port of the panel. The last is also the place for narrow panels.
   void draw_words(const PlacedPanel& placed) {
-    const Box box = box_of({placed});
-    const double y = (box.top + box.bottom) / 2;
-    const double half_height = 1.6 * kLineHeight / scale_.per_metre;
-    Box across = across_at(placed, y);
-    for (const double end : {y - half_height, y + half_height})
-      across.left = std::min(across.left, across_at(placed, end).left);
-    const formats::PicturePoint left = scale_({across.left, y}), right = scale_({across.right, y});
-    const bool is_wide = right.x - left.x > kWordsWidth;
-    const double x = is_wide ? (left.x + right.x) / 2 : left.x - 8;
-    double line = left.y - 1.5 * kLineHeight;
-    for (const auto& word : words_of(*placed.panel)) {
-      picture_.text({x, line}, word, &word == &words_.front() ? kNormal : kSmall, kInk,
-                    is_wide ? formats::Anchor::middle : formats::Anchor::end);
-      line += 0.85 * kLineHeight;
-    }
+    const std::vector<TextBlock> places = places_of_words(placed);
+    const TextBlock* best = &places.back();
+    double least = INFINITY;
+    for (const TextBlock& place : places)
+      if (const double area = lettering_.overlap(place); area < least) {
+        least = area;
+        best = &place;
+      }
+    lettering_.write(*best, kInk);
   }
 
-  const std::vector<std::string>& words_of(const Panel& panel) {
-    words_ = {panel.name, netting_of(panel), twine_of(panel), depth_of(panel)};
-    return words_;
+  std::vector<TextBlock> places_of_words(const PlacedPanel& placed) const {
+    const Panel& panel = *placed.panel;
+    const std::vector<std::string> tall = {panel.name, netting_of(panel), twine_of(panel), depth_of(panel)};
+    const std::vector<std::string> flat = {panel.name, fmt::format("{}, {}, {}", tall[1], tall[2], tall[3])};
+    std::vector<TextBlock> places;
+    for (const auto& lines : {tall, flat})
+      for (const double along : {0.5, 0.25, 0.75}) add_place_inside(placed, lines, along, places);
+    add_place_to_port(placed, tall, places);
+    return places;
+  }
+
+  /// Adds the place `along` of the way from port to starboard at half the height of a panel, if the panel is
+  /// wide and high enough there.
+  void add_place_inside(const PlacedPanel& placed, const std::vector<std::string>& lines, double along,
+                        std::vector<TextBlock>& places) const {
+    const Box box = box_of({placed});
+    const double middle = (box.top + box.bottom) / 2;
+    const double height = height_of(lines), half = height / 2 / scale_.per_metre;
+    if (middle - half < box.top || middle + half > box.bottom) return;
+    Box across = across_at(placed, middle);
+    for (const double end : {middle - half, middle + half}) {
+      across.left = std::max(across.left, across_at(placed, end).left);
+      across.right = std::min(across.right, across_at(placed, end).right);
+    }
+    const double left = scale_({across.left, middle}).x, right = scale_({across.right, middle}).x;
+    const double x = std::lerp(left, right, along);
+    if (std::min(x - left, right - x) < length_of(lines) / 2 + 4) return;
+    places.push_back({{x, first_line(middle, lines)}, lines, formats::Anchor::middle});
+  }
+
+  void add_place_to_port(const PlacedPanel& placed, const std::vector<std::string>& lines,
+                         std::vector<TextBlock>& places) const {
+    const Box box = box_of({placed});
+    const double middle = (box.top + box.bottom) / 2, half = height_of(lines) / 2 / scale_.per_metre;
+    double left = across_at(placed, middle).left;
+    for (const double end : {middle - half, middle + half})
+      left = std::min(left, across_at(placed, end).left);
+    places.push_back(
+        {{scale_({left, middle}).x - 8, first_line(middle, lines)}, lines, formats::Anchor::end});
+  }
+
+  static double height_of(const std::vector<std::string>& lines) {
+    return kNormal + Lettering::kLeading * static_cast<double>(lines.size() - 1);
+  }
+  static double length_of(const std::vector<std::string>& lines) {
+    double longest = Lettering::length_of(lines.front(), kNormal);
+    for (const auto& line : lines) longest = std::max(longest, Lettering::length_of(line, kSmall));
+    return longest;
+  }
+  /// The base line of the first of several lines around a height of the sheet.
+  double first_line(double middle, const std::vector<std::string>& lines) const {
+    return scale_({0, middle}).y - height_of(lines) / 2 + 0.8 * kNormal;
   }
 
   /// The extent of a panel at one height of the sheet, from border to border; a middle panel has both halves.
@@ -256,8 +308,10 @@ class Draughtsman {
   }
 
   void say(const std::string& text, const char* colour) {
-    picture_.text({kMargin, line_}, text, kNormal, colour, formats::Anchor::start);
-    line_ += kLineHeight;
+    for (const auto& line : broken_into_lines(text, kNormal, kWidth - 1.5 * kMargin)) {
+      picture_.text({kMargin, line_}, line, kNormal, colour, formats::Anchor::start);
+      line_ += kLineHeight;
+    }
   }
 
   void list_ropes() {
@@ -302,18 +356,21 @@ class Draughtsman {
   std::vector<PlacedPanel> panels_;
   Box box_;
   Scale scale_;
-  formats::SvgPicture picture_;
+  formats::LineDrawing& picture_;
+  Lettering lettering_;
   double line_ = 0;
-  std::vector<std::string> words_;
 };
 
 }  // namespace
 
-std::string draw_plan(const NetPlan& plan) { return Draughtsman(plan).draw(); }
+formats::DrawingSize draw_plan(const NetPlan& plan, formats::LineDrawing& picture) {
+  return Draughtsman(plan, picture).draw();
+}
 
-std::string draw_mesh(const NetPlan& plan, const Gear& gear, const GearMesh& mesh) {
+formats::DrawingSize draw_mesh(const NetPlan& plan, const Gear& gear, const GearMesh& mesh,
+                               formats::LineDrawing& picture) {
   const formats::LongWork drawing({"drawing", "the mesh"});
-  return Draughtsman(plan).draw(gear, mesh);
+  return Draughtsman(plan, picture).draw(gear, mesh);
 }
 
 }  // namespace netloft::gears

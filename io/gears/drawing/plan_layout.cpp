@@ -4,6 +4,7 @@
 #include "io/gears/plan/names.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kHalfWidth = 0.5;  // width on the sheet as a fraction of the stretched width
 constexpr double kGap = 0.25;       // gap between columns, relative to the width of the previous column
+constexpr double kTouch = 1e-3;  // overlap of panels that only touch, relative to the depth of the later one
 
 /// Length of a counted mesh along the gear [m]. Square netting is counted in bars, each half as long as a
 /// stretched mesh.
@@ -90,6 +92,7 @@ class Sheet {
 
   void begin_column(const Panel& panel) {
     const std::size_t first = placed_.size();
+    taken_.clear();
     place(panel, 0, 0);
     double left = 0, right = 0;
     for (std::size_t i = first; i < placed_.size(); ++i)
@@ -116,12 +119,25 @@ class Sheet {
       const Next now = next.back();
       next.pop_back();
       mirror_about_ = now.mirror_about;
-      if (!seen_.insert(now.panel).second) continue;
+      if (seen_.contains(now.panel) || !takes_its_place(now)) continue;
+      seen_.insert(now.panel);
       const PlacedPanel own = place_one(now);
       const auto& all = neighbours_of(*now.panel);
       for (auto n = all.rbegin(); n != all.rend(); ++n)
         next.push_back(place_of(*n->other, middle_of(*n->own), own));
     }
+  }
+
+  /// Whether a middle panel has the middle of the column for itself from its fore to its aft edge. If not,
+  /// it begins a column of its own, such as the lower panel that is sewn to the same tube as the upper one.
+  bool takes_its_place(const Next& now) {
+    if (now.panel->stands != Standing::middle) return true;
+    const double fore = now.y, aft = now.y + length_of_mesh(*now.panel) * now.panel->depth;
+    const double both = kTouch * (aft - fore);
+    const auto behind = taken_.lower_bound(aft - both);
+    if (behind != taken_.begin() && std::prev(behind)->second > fore + both) return false;
+    taken_[fore] = aft;
+    return true;
   }
 
   PlacedPanel place_one(const Next& now) {
@@ -147,6 +163,7 @@ class Sheet {
   std::map<const Panel*, std::vector<Neighbour>> sewn_;
   std::vector<PlacedPanel> placed_;
   std::set<const Panel*> seen_;
+  std::map<double, double> taken_;  // fore and aft ends of the middle panels in the column [m on the net]
   double next_ = 0, mirror_about_ = 0;
 };
 

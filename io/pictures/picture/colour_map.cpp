@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace netloft::pictures {
@@ -45,6 +46,13 @@ Colour colour_of_part(std::uint32_t part) { return part_colours()[part % part_co
 std::string hex(const Colour& colour) {
   const auto byte = [](float c) { return static_cast<int>(std::lround(255 * std::clamp(c, 0.0f, 1.0f))); };
   return fmt::format("#{:02x}{:02x}{:02x}", byte(colour[0]), byte(colour[1]), byte(colour[2]));
+}
+
+Colour colour_of(const std::string& hex) {
+  std::string digits = hex.substr(1);
+  if (digits.size() == 3) digits = {digits[0], digits[0], digits[1], digits[1], digits[2], digits[2]};
+  assert(digits.size() == 6);
+  return from_hex(static_cast<std::uint32_t>(std::stoul(digits, nullptr, 16)));
 }
 
 }  // namespace netloft::pictures

@@ -28,5 +28,7 @@ inline constexpr Colour kNoValue = {0.55f, 0.55f, 0.55f}, kFloatColour = {0.93f,
 
 /// The colour as hexadecimal text, "#21908d".
 std::string hex(const Colour& colour);
+/// The colour of a hexadecimal text, "#21908d" or "#222".
+Colour colour_of(const std::string& hex);
 
 }  // namespace netloft::pictures

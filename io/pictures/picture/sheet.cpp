@@ -140,25 +140,6 @@ std::string svg_of(const SheetLayout::Words& words, const SheetLayout& layout) {
       words.x, words.y, words.size, hex(layout.ink), anchor, halo, formats::escape_markup(words.text));
 }
 
-/// Draws a line with soft edges: the opacity of a pixel follows from its distance to the line.
-void draw_line(const SheetLayout::Line& line, Image& image) {
-  const double dx = line.x1 - line.x0, dy = line.y1 - line.y0, square = dx * dx + dy * dy;
-  const auto pixel = [](double x, std::size_t most) {
-    return static_cast<std::size_t>(std::clamp(x, 0.0, static_cast<double>(most)));
-  };
-  const auto [left, right] = std::minmax(line.x0, line.x1);
-  const auto [top, bottom] = std::minmax(line.y0, line.y1);
-  for (std::size_t y = pixel(top - 2, image.height); y < pixel(bottom + 3, image.height); ++y)
-    for (std::size_t x = pixel(left - 2, image.width); x < pixel(right + 3, image.width); ++x) {
-      const double px = static_cast<double>(x) + 0.5 - line.x0, py = static_cast<double>(y) + 0.5 - line.y0;
-      const double s = square > 0 ? std::clamp((px * dx + py * dy) / square, 0.0, 1.0) : 0;
-      const double cover = std::clamp(line.width / 2 + 0.5 - std::hypot(px - s * dx, py - s * dy), 0.0, 1.0);
-      Colour mixed = image.at(x, y);
-      for (std::size_t k = 0; k < 3; ++k) mixed[k] += static_cast<float>(cover) * (line.colour[k] - mixed[k]);
-      if (cover > 0) image.set(x, y, mixed);
-    }
-}
-
 void draw_box(const SheetLayout::Box& box, Image& image) {
   const auto pixel = [](double x) { return static_cast<std::size_t>(std::max(0.0, std::round(x))); };
   for (std::size_t y = pixel(box.y); y < std::min(pixel(box.y + box.height), image.height); ++y)

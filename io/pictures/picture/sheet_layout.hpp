@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/pictures/picture/drawn_line.hpp"
 #include "io/pictures/picture/gear_shape.hpp"
 
 #include <string>
@@ -15,10 +16,6 @@ struct SheetLayout {
     double x, y, width, height;
     Colour colour;
   };
-  struct Line {
-    double x0, y0, x1, y1, width;
-    Colour colour;
-  };
   struct Words {
     double x, y;  // start, middle or end of the base line, by `align`
     std::string text;
@@ -29,7 +26,7 @@ struct SheetLayout {
 
   Colour ground, ink;
   std::vector<Box> boxes;
-  std::vector<Line> lines;
+  std::vector<StraightLine> lines;
   std::vector<Words> words;
 };
 

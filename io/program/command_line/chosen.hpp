@@ -40,9 +40,9 @@ Command<Options> add_command(CLI::App& parent, Chosen& chosen, const char* name,
   return {*app, *options};
 }
 
-/// Throws UsageError if an option is given that belongs neither to `group` nor to the general group. Groups
+/// Throws UsageError if an option is given that belongs neither to `groups` nor to the general group. Groups
 /// are named by their purpose ("For a result"), and `why` is the reason: "a.toml is a net plan".
-void require_group(const CLI::App& command, const std::string& group, const std::string& why);
+void require_group(const CLI::App& command, const std::vector<std::string>& groups, const std::string& why);
 
 // The commands, in the groups of `netloft --help`.
 void add_gear_commands(CLI::App& app, Chosen& chosen);     // check, draw, import, catalogue

@@ -95,10 +95,10 @@ std::string unknown_option(const CLI::App& app) {
   return {};
 }
 
-void require_group(const CLI::App& command, const std::string& group, const std::string& why) {
+void require_group(const CLI::App& command, const std::vector<std::string>& groups, const std::string& why) {
   for (const CLI::Option* option : command.get_options()) {
     const std::string own = option->get_group();
-    if (option->count() == 0 || own == group || own == "Options") continue;
+    if (option->count() == 0 || own == "Options" || std::ranges::find(groups, own) != groups.end()) continue;
     throw UsageError{option->get_name() + " is f" + own.substr(1) + "; " + why};
   }
 }

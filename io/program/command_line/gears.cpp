@@ -12,7 +12,7 @@ namespace {
 
 // groups of options
 constexpr const char *kForPlans = "For a net plan", *kForResults = "For a result", *kForPolars = "For polars",
-                     *kForFemnet = "For FEMNET";
+                     *kForShapes = "For a net plan or a result", *kForFemnet = "For FEMNET";
 
 constexpr const char* kSetInPlan = "a value of the plan: panels.top-wing.aft=130";
 
@@ -37,6 +37,9 @@ void add_plan_options(CLI::App& draw, DrawOptions& o) {
 }
 
 void add_picture_options(CLI::App& draw, DrawOptions& o) {
+  draw.add_option("--width", o.width, "pixels; default: 2200 for a net plan, 1000 for a result")
+      ->check(CLI::Range(300, 8000))
+      ->group(kForShapes);
   const auto option = [&](const char* name, auto& value, const char* doc) {
     return draw.add_option(name, value, doc)->group(kForResults);
   };
@@ -48,7 +51,6 @@ void add_picture_options(CLI::App& draw, DrawOptions& o) {
   as_word(option("--field", o.field, "quantity that is shown by colours, or the word part; default: tension"),
           "NAME");
   add_state_option(draw, o.state)->group(kForResults);
-  option("--width", o.width, "pixels; default: 1000")->check(CLI::Range(300, 8000));
   option("--fit", o.fit, "what has to fit into the picture; default: netting")
       ->check(CLI::IsMember({"netting", "boards", "all"}));
   flag("--dark", o.dark, "draw on dark ground");
@@ -60,11 +62,11 @@ void add_picture_options(CLI::App& draw, DrawOptions& o) {
 void refuse_options_of_others(const DrawOptions& o, const CLI::App& draw) {
   switch (kind_of_drawable(o.file)) {
     case Drawable::net_plan:
-      return require_group(draw, kForPlans, o.file + " is a net plan");
+      return require_group(draw, {kForPlans, kForShapes}, o.file + " is a net plan");
     case Drawable::result:
-      return require_group(draw, kForResults, o.file + " is a result");
+      return require_group(draw, {kForResults, kForShapes}, o.file + " is a result");
     case Drawable::polars:
-      return require_group(draw, kForPolars, o.file + " holds polars");
+      return require_group(draw, {kForPolars}, o.file + " holds polars");
   }
 }
 
@@ -73,8 +75,9 @@ void add_draw_command(CLI::App& app, Chosen& chosen) {
                                draw_command, refuse_options_of_others);
   draw.add_option("GEAR", o.file, "net plan or polars (TOML), or result (.hdf)")->required();
   as_word(draw.add_option("-o,--output", o.output,
-                          "picture; default: the name of the gear or result with .svg, in this folder"),
-          "FILE.svg|FILE.png");
+                          "picture, for polars .svg or .html; default: the name of the gear or result with "
+                          ".svg, in this folder"),
+          "FILE.svg|FILE.png|FILE.html");
   add_common_options(draw, o);
   add_plan_options(draw, o);
   add_picture_options(draw, o);
@@ -88,7 +91,7 @@ void add_catalogue_command(CLI::App& app, Chosen& chosen) {
 }
 
 void refuse_options_of_femnet(const ImportOptions& o, const CLI::App& import) {
-  if (!o.format.empty() && o.format != "femnet") require_group(import, "", "the format is " + o.format);
+  if (!o.format.empty() && o.format != "femnet") require_group(import, {}, "the format is " + o.format);
 }
 
 /// Adds the options for FEMNET. --check applies to all gears in a folder, and excludes the options of a

@@ -29,7 +29,7 @@ void add_report_command(CLI::App& app, Chosen& chosen) {
 /// Rejects options for another file format: the extension of the output selects the group of options.
 void refuse_options_of_other_files(const ExportOptions& o, const CLI::App& command) {
   const std::string ending = std::filesystem::path(o.output).extension().string();
-  require_group(command, "For a " + ending + " file", o.output + " is a file of another kind");
+  require_group(command, {"For a " + ending + " file"}, o.output + " is a file of another kind");
 }
 
 void add_export_command(CLI::App& app, Chosen& chosen) {

@@ -63,7 +63,7 @@ void add_missing_action(CLI::App& study, Chosen& chosen) {
 }
 
 void refuse_options_of_other_engines(const StudySubmitOptions& o, const CLI::App& submit) {
-  require_group(submit, o.engine == "slurm" ? kForSlurm : kForParallel, "the engine is " + o.engine);
+  require_group(submit, {o.engine == "slurm" ? kForSlurm : kForParallel}, "the engine is " + o.engine);
 }
 
 void add_submit_action(CLI::App& study, Chosen& chosen) {

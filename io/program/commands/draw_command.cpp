@@ -5,6 +5,7 @@
 #include "io/gears/meshing/division.hpp"
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/read_plan.hpp"
+#include "io/pictures/picture/pixel_picture.hpp"
 #include "io/program/commands/draw_polars.hpp"
 #include "io/program/commands/gears.hpp"
 #include "io/program/session/error_json.hpp"
@@ -22,6 +23,8 @@ namespace netloft::program {
 
 namespace {
 
+constexpr double kPlanWidth = 2200;  // width of the picture of a net plan [pixels]
+
 /// Whether a file is a result, by its extension or by its first bytes.
 bool is_result(const std::string& path) {
   if (std::filesystem::path(path).extension() == ".hdf" || formats::is_journal(path)) return true;
@@ -36,6 +39,8 @@ std::string output_of(const DrawOptions& options) {
   if (!options.output.empty()) return options.output;
   return std::filesystem::path(options.file).stem().string() + ".svg";
 }
+
+bool is_png(const std::string& output) { return std::filesystem::path(output).extension() == ".png"; }
 
 std::vector<std::string> files_of(const gears::NetPlan& plan) {
   std::vector<std::string> paths;
@@ -69,16 +74,32 @@ int draw_polars_command(const DrawOptions& options) {
   return kDone;
 }
 
-/// The picture of a divided plan; empty after an error.
-std::string draw_divided(const gears::NetPlan& plan, std::size_t nodes, formats::Diagnostics& diagnostics) {
+/// Draws a plan or, with --mesh, a divided one. An error is reported in `diagnostics`.
+formats::DrawingSize draw_on(formats::LineDrawing& picture, const gears::NetPlan& plan,
+                             const DrawOptions& options, formats::Diagnostics& diagnostics) {
+  if (!options.mesh) return gears::draw_plan(plan, picture);
   const gears::Gear gear = gears::make_gear(plan, gears::Extent::whole);
   gears::Fineness fineness;
-  fineness.nodes = nodes;
+  fineness.nodes = options.nodes;
   try {
-    return gears::draw_mesh(plan, gear, gears::divide(gear, fineness));
+    return gears::draw_mesh(plan, gear, gears::divide(gear, fineness), picture);
   } catch (const gears::CannotDivide& refused) {
     refused.report(plan, diagnostics);
-    return {};
+    return {1, 1};
+  }
+}
+
+/// The content of the picture in the format of its ending.
+std::string picture_of(const gears::NetPlan& plan, const DrawOptions& options,
+                       formats::Diagnostics& diagnostics) {
+  const double pixels = options.width ? static_cast<double>(options.width) : kPlanWidth;
+  try {
+    if (is_png(output_of(options))) {
+      pictures::PixelPicture picture;
+      return picture.finish(draw_on(picture, plan, options, diagnostics), pixels);
+    }
+    formats::SvgPicture picture;
+    return picture.finish(draw_on(picture, plan, options, diagnostics), pixels);
   } catch (const std::invalid_argument& e) {
     throw UsageError{e.what()};
   }
@@ -94,10 +115,9 @@ int draw_plan(const DrawOptions& options) {
   if (const int code = say(diagnostics, terminal); code != kDone) return code;
   const std::string output = output_of(options);
   formats::Diagnostics of_division = diagnostics.without_messages();
-  const std::string picture =
-      options.mesh ? draw_divided(plan, options.nodes, of_division) : gears::draw_plan(plan);
+  const std::string picture = picture_of(plan, options, of_division);
   if (const int code = say(of_division, terminal); code != kDone) return code;
-  replace_file(output, picture, files_of(plan), {".svg"});
+  replace_file(output, picture, files_of(plan), {".svg", ".png"});
   report_written(output, terminal);
   return kDone;
 }

@@ -19,11 +19,12 @@ struct DrawOptions : CommonOptions {
   std::vector<std::string> set;  // option --set path=value
   bool mesh = false;             // option --mesh
   std::size_t nodes = 2000;      // option --nodes
+  // option for a net plan or a result
+  std::size_t width = 0;  // option --width; 0: 2200 for a net plan, 1000 for a result
   // options for a result
   std::string view = "oblique";  // option --view
   std::string field;             // option --field
   int state = -1;                // option --state; -1: the newest
-  std::size_t width = 1000;      // option --width
   std::string fit = "netting";   // option --fit
   bool dark = false;             // option --dark
   bool log = false;              // option --log

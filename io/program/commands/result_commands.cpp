@@ -84,7 +84,7 @@ pictures::SheetOptions sheet_options(const DrawOptions& options, const results::
   sheet.view = pictures::view_of(options.view).value_or(pictures::View::oblique);
   sheet.colouring = {options.field, options.log, options.elements};
   sheet.with_dimensions = options.dimensions;
-  sheet.width = options.width;
+  if (options.width) sheet.width = options.width;
   sheet.framing = pictures::framing_called(options.fit).value_or(pictures::Framing::netting);
   sheet.is_dark = options.dark;
   sheet.state = state_of(options.state, result, options.file);

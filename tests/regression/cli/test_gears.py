@@ -6,6 +6,7 @@ import unittest
 import xml.etree.ElementTree as xml
 
 from program import SOURCE, InFreshFolder
+from test_results import pixels
 
 GEARS = sorted((SOURCE / "gear-library/gears").glob("*.toml"))
 EASTERN = (SOURCE / "gear-library/gears/83-112-eastern.toml").read_text()
@@ -75,6 +76,15 @@ class Gears(InFreshFolder):
         self.write("fewer.toml", 'include = ["eastern.toml"]\n[floats.headline]\nspread = "42 along headrope"\n')
         self.assertEqual(self.netloft("draw", "fewer.toml").code, 0)
         self.assertIn("42 83-112-headline along headrope", self.files()["fewer.svg"].decode())
+
+    def test_a_plan_is_drawn_in_pixels_too(self):
+        for words in ((), ("--mesh", "--nodes", "200")):
+            self.assertEqual(self.netloft("draw", str(GEARS[0]), "-o", "plan.png", "--width", "700", *words).code, 0)
+            picture = pixels(self.files()["plan.png"])
+            self.assertEqual(picture.shape[1], 700)
+            self.assertTrue((picture == 255).all(axis=2).any() and (picture.sum(axis=2) < 300).any(), "white paper, dark lines")
+        self.assertEqual(self.netloft("draw", str(GEARS[0]), "-o", "plan.svg", "--width", "700").code, 0)
+        self.assertEqual(xml.parse(self.folder / "plan.svg").getroot().get("width"), "700")
 
     def test_a_wrong_plan_is_not_drawn(self):
         self.write("slip.toml", SLIP)

@@ -62,9 +62,10 @@ class Polars(InFreshFolder):
                 self.assertFalse((self.folder / "my.svg").exists())
 
     def test_options_of_other_pictures_are_refused(self):
-        ended = self.draw(OVER_SLIP, "--view", "front")
-        self.assertEqual(ended.code, 2)
-        self.assertIn("holds polars", ended.err)
+        for option in (("--view", "front"), ("--width", "500")):
+            ended = self.draw(OVER_SLIP, *option)
+            self.assertEqual(ended.code, 2)
+            self.assertIn("holds polars", ended.err)
 
 
 if __name__ == "__main__":

@@ -331,7 +331,7 @@ class Results(InFreshFolder):
             self.assertIn(f"{option[0]} is for a net plan; {result} is a result", self.refused("draw", result, *option))
         self.assertIn("there is no option --plugins of `netloft draw`; `netloft run` has it", self.refused("draw", result, "--plugins", "."))
         plan = str(SOURCE / "gear-library" / "gears" / "four-panel.toml")
-        for option in (["--view", "side"], ["--field", "tension"], ["--width", "500"], ["--dimensions"], ["--fit", "all"]):
+        for option in (["--view", "side"], ["--field", "tension"], ["--dimensions"], ["--fit", "all"]):
             self.assertIn(f"{option[0]} is for a result; {plan} is a net plan", self.refused("draw", plan, "-o", "a.svg", *option))
         self.assertIn("--field is for a .glb file; a.csv is a file of another kind", self.refused("export", result, "a.csv", "--field", "tension"))
         self.assertIn("--table is for a .csv file; a.glb is a file of another kind", self.refused("export", result, "a.glb", "--table", "nodes"))

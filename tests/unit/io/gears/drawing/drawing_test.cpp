@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/drawing/drawing.hpp"
 
+#include "io/gears/drawing/lettering.hpp"
 #include "io/gears/drawing/plan_layout.hpp"
 #include "tests/unit/io/gears/plan/plans.hpp"
 
@@ -13,6 +14,11 @@ const PlacedPanel& placed(const std::vector<PlacedPanel>& panels, const std::str
     if (p.panel->name == name && p.is_mirrored == mirrored) return p;
   ADD_FAILURE() << name << " is not on the drawing";
   return panels.front();
+}
+
+std::string svg_of(const NetPlan& plan) {
+  formats::SvgPicture picture;
+  return picture.finish(draw_plan(plan, picture), 1000);
 }
 
 /// Panels are drawn to scale: stretched length aft, half of the stretched width across (ISO 3169).
@@ -44,8 +50,16 @@ TEST(Layout, MirrorsPairsAboutTheMiddleOfTheirColumn) {
   EXPECT_NEAR(starboard.x - middle, middle - port.x, 1e-12);
 }
 
+/// Upper and lower panel are sewn to the mouth of the same tube: they stand beside each other.
+TEST(Layout, PutsNoMiddlePanelOnAnother) {
+  const auto checked = check_text(library_text("two-panel.toml"));
+  const auto panels = lay_out(checked.plan);
+  EXPECT_GT(std::abs(placed(panels, "upper").x - placed(panels, "lower").x), 0.5 * 0.06 * 140);
+  EXPECT_NEAR(placed(panels, "upper").x, placed(panels, "bag").x, 1e-12);
+}
+
 TEST(Drawing, NamesPanelsCountsCuttingsTwinesAndRopes) {
-  const std::string svg = draw_plan(check_text(library_text("83-112-eastern.toml")).plan);
+  const std::string svg = svg_of(check_text(library_text("83-112-eastern.toml")).plan);
   for (const char* words : {"top-wing", "5B1P", "3B1M", "127.5", "128.5", "101.6 mm", "pa-twisted-2.3mm",
                             "headrope: 25.3 m", "47 83-112-headline along headrope", "<svg"}) {
     EXPECT_NE(svg.find(words), std::string::npos) << words;
@@ -59,16 +73,82 @@ TEST(Drawing, OfTrianglesHasAllTheirSides) {
   Fineness fineness;
   fineness.nodes = 300;
   const GearMesh mesh = divide(gear, fineness);
-  const std::string svg = draw_mesh(checked.plan, gear, mesh);
+  formats::SvgPicture picture;
+  const std::string svg = picture.finish(draw_mesh(checked.plan, gear, mesh, picture), 1000);
   std::size_t lines = 0;
   for (auto at = svg.find("<line"); at != std::string::npos; at = svg.find("<line", at + 1)) ++lines;
   EXPECT_GT(lines, 3 * mesh.quality.triangles / 2);
   EXPECT_NE(svg.find(std::to_string(mesh.nodes) + " nodes"), std::string::npos);
 }
 
-TEST(Drawing, OfAPlanWithoutPanelsIsAnEmptySheet) {
-  EXPECT_NE(draw_plan({}).find("<svg"), std::string::npos);
+/// A drawing that only remembers its texts.
+class Texts : public formats::LineDrawing {
+ public:
+  struct Text {
+    formats::PicturePoint at;
+    std::string text;
+  };
+  void line(formats::PicturePoint, formats::PicturePoint, const char*, double) override {}
+  void text(formats::PicturePoint at, const std::string& text, double, const char*,
+            formats::Anchor) override {
+    all.push_back({at, text});
+  }
+  formats::PicturePoint place_of(const std::string& text) const {
+    for (const auto& one : all)
+      if (one.text == text) return one.at;
+    ADD_FAILURE() << text << " is not on the drawing";
+    return {};
+  }
+  std::vector<Text> all;
+};
+
+/// The square is so short that four lines in its middle would cover the numbers at its edges.
+TEST(Drawing, KeepsWordsOfShortPanelsOffTheNumbers) {
+  Texts texts;
+  draw_plan(check_text(R"(
+[panels.square]
+mesh = "100 mm"
+twine = { diameter = "2 mm", EA = "3 kN", density = 960 }
+fore = 80
+depth = 4
+aft = 70
+sides = "4N5B in"
+open = ["fore", "sides"]
+[panels.belly]
+mesh = "100 mm"
+twine = { diameter = "2 mm", EA = "3 kN", density = 960 }
+fore = 70
+depth = 60
+aft = 40
+sides = "1N3B in"
+open = ["sides", "aft"]
+[[join]]
+edges = ["square.aft", "belly.fore"]
+)")
+                .plan,
+            texts);
+  const auto square = texts.place_of("square"), fore = texts.place_of("80"), aft = texts.place_of("70");
+  for (const auto& number : {fore, aft})
+    EXPECT_TRUE(std::abs(square.y - number.y) > 11 || std::abs(square.x - number.x) > 30)
+        << square.x << ' ' << square.y << ' ' << number.x << ' ' << number.y;
 }
+
+TEST(Drawing, BreaksLongLinesBelowThePanels) {
+  const auto lines = broken_into_lines("one two three", 10, Lettering::length_of("one two", 10));
+  EXPECT_EQ(lines, (std::vector<std::string>{"one two", "three"}));
+  EXPECT_EQ(broken_into_lines("", 10, 100), std::vector<std::string>{""});
+}
+
+TEST(Lettering, MovesTextsThatWouldBeCutAtTheEdge) {
+  Texts texts;
+  Lettering lettering(texts, 200);
+  lettering.write({195, 20}, "twenty", 10, "#222", formats::Anchor::start);
+  lettering.write({1, 40}, "twenty", 10, "#222", formats::Anchor::end);
+  EXPECT_LT(texts.all[0].at.x + Lettering::length_of("twenty", 10), 200);
+  EXPECT_GT(texts.all[1].at.x - Lettering::length_of("twenty", 10), 0);
+}
+
+TEST(Drawing, OfAPlanWithoutPanelsIsAnEmptySheet) { EXPECT_NE(svg_of({}).find("<svg"), std::string::npos); }
 
 }  // namespace
 }  // namespace netloft::gears
