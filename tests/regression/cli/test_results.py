@@ -329,7 +329,7 @@ class Results(InFreshFolder):
         result = self.solved("a", GOOD)
         for option in (["--mesh"], ["--set", "a=1"]):
             self.assertIn(f"{option[0]} is for a net plan; {result} is a result", self.refused("draw", result, *option))
-        self.assertIn("there is no option --plugins of `netloft draw`; `netloft run` has it", self.refused("draw", result, "--plugins", "."))
+        self.assertIn("there is no option --plugins of `netloft draw`; `netloft check` has it", self.refused("draw", result, "--plugins", "."))
         plan = str(SOURCE / "gear-library" / "gears" / "four-panel.toml")
         for option in (["--view", "side"], ["--field", "tension"], ["--dimensions"], ["--fit", "all"]):
             self.assertIn(f"{option[0]} is for a result; {plan} is a net plan", self.refused("draw", plan, "-o", "a.svg", *option))
