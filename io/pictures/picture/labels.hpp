@@ -2,6 +2,7 @@
 #pragma once
 #include "io/pictures/picture/view_projection.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace netloft::pictures {
@@ -12,9 +13,25 @@ struct LabelledLine {
   double words = 0;
 };
 
-/// Frames of the labels beside lines, `size` high, in the order of the lines. Each label is tried at seven
-/// positions along its line, on both sides, and is moved into `picture` if it would cross the edge. It gets
-/// the first position that overlaps no earlier label, else the position with the least overlap.
-std::vector<Frame> place_labels(const std::vector<LabelledLine>& lines, double size, const Frame& picture);
+/// The place of a label, and the point of its line to which it belongs. A label that stands apart from its
+/// line needs a leader from there to that point.
+struct LabelPlace {
+  Frame frame;
+  Point3 point;
+  bool is_apart = false;
+
+  /// The point of the frame that is nearest to the line's point, where a leader begins.
+  Point3 start_of_leader() const;
+};
+
+/// The fraction of a frame in which a label would hide something, 0 to 1.
+using Cover = std::function<double(const Frame&)>;
+
+/// Places of the labels beside lines, `size` high, in the order of the lines. Each label is tried at seven
+/// positions along its line, on four sides and at several distances, and is moved into `picture` if it would
+/// cross the edge. It gets the place where it hides least: earlier labels, lines, leaders, and what `cover`
+/// reports.
+std::vector<LabelPlace> place_labels(const std::vector<LabelledLine>& lines, double size,
+                                     const Frame& picture, const Cover& cover = {});
 
 }  // namespace netloft::pictures

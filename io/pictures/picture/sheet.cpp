@@ -5,6 +5,7 @@
 #include "io/pictures/picture/base64.hpp"
 #include "io/pictures/picture/drawn_text.hpp"
 #include "io/pictures/picture/gear_painter.hpp"
+#include "io/pictures/picture/part_legend.hpp"
 #include "io/pictures/picture/png.hpp"
 #include "io/pictures/picture/sheet_layout.hpp"
 
@@ -17,9 +18,9 @@ namespace netloft::pictures {
 
 namespace {
 
-// On narrower sheets, the legends are below the title.
-constexpr double kNarrow = 760;
 constexpr double kMargin = 16, kHead = 46, kFoot = 40, kTitleSize = 18;
+constexpr double kBesideTitle = 24,
+                 kBelowPicture = 8;  // least distances of title and legend, of picture and legend
 // Limits of the height of the picture, relative to its width.
 constexpr double kLeastHeight = 0.16, kGreatestHeight = 0.64;
 
@@ -29,12 +30,14 @@ struct Sheet {
   SheetLayout layout;
 };
 
-/// Shortens a long title and adds an ellipsis.
-std::string shortened(std::string text, std::size_t most) {
-  if (text.size() <= most) return text;
-  std::size_t end = most - 3;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
-  return text.substr(0, end) + "…";
+/// Shortens a title that is longer than `longest` [pixels], and adds an ellipsis.
+std::string shortened(std::string text, double longest) {
+  if (text_width(text, kTitleSize) <= longest) return text;
+  while (!text.empty() && text_width(text + "…", kTitleSize) > longest) {
+    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80) text.pop_back();
+    if (!text.empty()) text.pop_back();
+  }
+  return text + "…";
 }
 
 /// The middle of the box around points.
@@ -48,11 +51,15 @@ Point3 middle_of(const std::vector<Point3>& points) {
   return middle;
 }
 
-void add_title(const results::StoredShape& stored, std::size_t state, SheetLayout& layout) {
+std::string title_of(const results::StoredShape& stored, std::size_t state, double longest) {
   std::string title = stored.result.title;
   if (!stored.stages.empty()) title += ", " + stored.stages[state];
   if (stored.result.motion) title += fmt::format(", {:.4g} s", stored.times[state]);
-  layout.words.push_back({kMargin, 27, shortened(title, 40), kTitleSize});
+  return shortened(title, longest);
+}
+
+void add_title(const results::StoredShape& stored, const std::string& title, SheetLayout& layout) {
+  layout.words.push_back({kMargin, 27, title, kTitleSize});
   if (!stored.result.is_answer())
     layout.words.push_back(
         {kMargin, 44,
@@ -61,8 +68,9 @@ void add_title(const results::StoredShape& stored, std::size_t state, SheetLayou
          13});
 }
 
-/// Adds the line of the bed under the gear, from edge to edge, in the side and front views.
-void add_bed(const GearShape& shape, const Projection& projection, View view, Sheet& sheet) {
+/// Adds the line of the bed under the gear, from edge to edge, in the side and front views. `foot` is the
+/// lower edge of the picture.
+void add_bed(const GearShape& shape, const Projection& projection, View view, double foot, Sheet& sheet) {
   constexpr int kPieces = 64;
   constexpr Colour kBed = {0.55f, 0.46f, 0.3f};
   const auto& bed = shape.stored->bed;
@@ -78,7 +86,7 @@ void add_bed(const GearShape& shape, const Projection& projection, View view, Sh
   for (int piece = 0; piece < kPieces; ++piece) {
     const auto [x0, y0] = at(piece);
     const auto [x1, y1] = at(piece + 1);
-    if (std::min(y0, y1) > sheet.picture_top && std::max(y0, y1) < sheet.height - kFoot + 6)
+    if (std::min(y0, y1) > sheet.picture_top && std::max(y0, y1) < foot + 6)
       sheet.layout.lines.push_back({x0, y0, x1, y1, 1.5, kBed});
   }
 }
@@ -108,23 +116,29 @@ Sheet compose(const results::StoredShape& stored, const SheetOptions& options) {
   Sheet sheet;
   sheet.layout = empty_layout(options.is_dark);
   sheet.width = static_cast<double>(options.width);
-  const bool is_narrow = sheet.width < kNarrow;
+  const std::string title = title_of(stored, state, sheet.width - 2 * kMargin);
+  // Legends that have no room beside the title are below it.
+  const bool is_narrow =
+      text_width(title, kTitleSize) + kBesideTitle + legend_width(shape) > sheet.width - 2 * kMargin;
   const double legends = legend_height(shape);
+  const PartLegend parts(shape, sheet.width - 2 * kMargin);
   const auto points = extent_of(shape, options.framing);
   const double height = picture_height(options.view, points, sheet.width);
   sheet.picture_top = is_narrow ? kHead + legends : std::max(kHead, legends + 10);
-  sheet.height = height + sheet.picture_top + kFoot;
+  const double foot = height + sheet.picture_top;  // below the picture: legend of parts, scale bar
+  sheet.height = foot + parts.height() + kFoot;
   const Projection projection =
       fit(options.view, points, {kMargin, kMargin, sheet.width - 2 * kMargin, height - 2 * kMargin});
   sheet.picture =
       paint(shape, projection, options.width, static_cast<std::size_t>(height), sheet.layout.ground);
-  add_bed(shape, projection, options.view, sheet);
-  add_title(stored, state, sheet.layout);
+  add_bed(shape, projection, options.view, foot, sheet);
+  add_title(stored, title, sheet.layout);
+  parts.add_to(sheet.layout, kMargin, foot + kBelowPicture);
   add_legends(shape, sheet.width - kMargin, is_narrow ? kHead : 12, sheet.layout);
   add_scale_bar(projection.pixels_per_metre, kMargin, sheet.height - kFoot / 2, sheet.width / 6,
                 sheet.layout);
   if (options.with_dimensions)
-    add_dimensions(shape, projection, {0, sheet.picture_top, sheet.width, height}, sheet.layout);
+    add_dimensions(shape, projection, sheet.picture, sheet.picture_top, sheet.layout);
   return sheet;
 }
 

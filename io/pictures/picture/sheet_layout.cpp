@@ -15,7 +15,8 @@ namespace netloft::pictures {
 
 namespace {
 
-constexpr double kBarWidth = 260, kBarHeight = 11, kRow = 38;
+constexpr double kBarWidth = 260, kBarHeight = 11, kRow = 38, kBesideBar = 16, kAfterBar = 12,
+                 kLegendTitle = 13;
 // Shorter dimension lines [pixels] are left out: they are nearly parallel to the line of sight.
 constexpr double kLeastDimension = 24;
 
@@ -60,17 +61,25 @@ void add_ticks(const results::Scale& scale, double left, double top, SheetLayout
 void add_legend(const GearShape& shape, results::CellKind kind, double right, double top,
                 SheetLayout& layout) {
   const results::Scale& scale = *shape.scales[static_cast<std::size_t>(kind)];
-  const double left = right - kBarWidth - 12;
+  const double left = right - kBarWidth - kAfterBar;
   constexpr int kSteps = 65;
   for (int i = 0; i < kSteps; ++i)
     layout.boxes.push_back({left + i * kBarWidth / kSteps, top, kBarWidth / kSteps + 0.5, kBarHeight,
                             colour_at(i / (kSteps - 1.0))});
-  layout.words.push_back({left - 16, top + kBarHeight, legend_title(shape, kind, rows_of(shape)), 13,
-                          SheetLayout::Align::right});
+  layout.words.push_back({left - kBesideBar, top + kBarHeight, legend_title(shape, kind, rows_of(shape)),
+                          kLegendTitle, SheetLayout::Align::right});
   add_ticks(scale, left, top, layout);
 }
 
 }  // namespace
+
+double legend_width(const GearShape& shape) {
+  double longest = 0;
+  for (const auto kind : {results::CellKind::netting, results::CellKind::rope, results::CellKind::point})
+    if (shape.field && shape.scales[static_cast<std::size_t>(kind)])
+      longest = std::max(longest, text_width(legend_title(shape, kind, rows_of(shape)), kLegendTitle));
+  return longest > 0 ? longest + kBesideBar + kBarWidth + kAfterBar : 0;
+}
 
 double legend_height(const GearShape& shape) { return kRow * static_cast<double>(rows_of(shape)); }
 
@@ -108,6 +117,34 @@ void add_arrow(const Point3& a, const Point3& b, SheetLayout& layout) {
                               tip[1] + sign * kHead * (uy + side * ux), 1.3, layout.ink});
 }
 
+/// Adds a thin line from a label to the point of the line that it belongs to.
+void add_leader(const LabelPlace& place, SheetLayout& layout) {
+  constexpr double kDot = 4;
+  const Point3 start = place.start_of_leader();
+  layout.lines.push_back({start[0], start[1], place.point[0], place.point[1], 0.8, layout.ink});
+  layout.boxes.push_back({place.point[0] - kDot / 2, place.point[1] - kDot / 2, kDot, kDot, layout.ink});
+}
+
+/// The fraction of a frame in which the gear is painted.
+double painted_in(const Frame& frame, const Image& painted, double top, const Colour& ground) {
+  constexpr double kStep = 3, kSame = 0.02;  // distance of samples [pixels]; differences that nobody sees
+  double seen = 0, all = 0;
+  for (double y = frame.top - top; y < frame.top - top + frame.height; y += kStep)
+    for (double x = frame.left; x < frame.left + frame.width; x += kStep) {
+      ++all;
+      if (x < 0 || y < 0 || x >= static_cast<double>(painted.width) ||
+          y >= static_cast<double>(painted.height))
+        continue;
+      const Colour colour = painted.at(static_cast<std::size_t>(x), static_cast<std::size_t>(y));
+      for (std::size_t k = 0; k < 3; ++k)
+        if (std::abs(colour[k] - ground[k]) > kSame) {
+          ++seen;
+          break;
+        }
+    }
+  return all > 0 ? seen / all : 0;
+}
+
 bool is_inside(const Point3& p, const Frame& frame) {
   return p[0] >= frame.left && p[0] <= frame.left + frame.width && p[1] >= frame.top &&
          p[1] <= frame.top + frame.height;
@@ -115,9 +152,10 @@ bool is_inside(const Point3& p, const Frame& frame) {
 
 }  // namespace
 
-void add_dimensions(const GearShape& shape, const Projection& projection, const Frame& picture,
+void add_dimensions(const GearShape& shape, const Projection& projection, const Image& painted, double top,
                     SheetLayout& layout) {
   constexpr double kWords = 13;  // font size [pixels]
+  const Frame picture{0, top, static_cast<double>(painted.width), static_cast<double>(painted.height)};
   std::vector<double> points;
   for (const auto& node : shape.nodes) points.insert(points.end(), node.begin(), node.end());
   std::vector<LabelledLine> lines;
@@ -135,10 +173,15 @@ void add_dimensions(const GearShape& shape, const Projection& projection, const 
     words.push_back(fmt::format("{} {:.3g} m", dimension.name, metres));
     lines.push_back({a, b, text_width(words.back(), kWords)});
   }
-  const auto places = place_labels(lines, kWords, picture);
-  for (std::size_t i = 0; i < places.size(); ++i)
+  const auto places = place_labels(lines, kWords, picture, [&](const Frame& frame) {
+    return painted_in(frame, painted, top, layout.ground);
+  });
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Frame& frame = places[i].frame;
+    if (places[i].is_apart) add_leader(places[i], layout);
     layout.words.push_back(
-        {places[i].left, places[i].top + places[i].height, words[i], kWords, SheetLayout::Align::left, true});
+        {frame.left, frame.top + frame.height, words[i], kWords, SheetLayout::Align::left, true});
+  }
 }
 
 }  // namespace netloft::pictures

@@ -30,8 +30,9 @@ struct SheetLayout {
   std::vector<Words> words;
 };
 
-/// Height of the legends of a shape [pixels]; zero if there are none.
+/// Height and greatest width of the legends of a shape [pixels]; zero if there are none.
 double legend_height(const GearShape& shape);
+double legend_width(const GearShape& shape);
 /// Adds a colour bar with round values for each of netting, ropes and single nodes that has the field. The
 /// upper right corner is at (right, top).
 void add_legends(const GearShape& shape, double right, double top, SheetLayout& layout);
@@ -40,8 +41,9 @@ void add_legends(const GearShape& shape, double right, double top, SheetLayout& 
 void add_scale_bar(double pixels_per_metre, double x, double y, double longest, SheetLayout& layout);
 
 /// Adds dimension lines for the height and the spreads, each with its length. A line is left out unless both
-/// ends are inside the frame `picture` of the sheet.
-void add_dimensions(const GearShape& shape, const Projection& projection, const Frame& picture,
+/// ends are inside the picture `painted`, which lies `top` pixels below the upper edge of the sheet. Lengths
+/// stand beside the gear where there is room.
+void add_dimensions(const GearShape& shape, const Projection& projection, const Image& painted, double top,
                     SheetLayout& layout);
 
 }  // namespace netloft::pictures

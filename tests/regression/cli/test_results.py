@@ -177,6 +177,13 @@ class Results(InFreshFolder):
         image = root.find("{http://www.w3.org/2000/svg}image").attrib["href"]
         self.assertGreater(pixels(b64decode(image.split(",")[1])).std(), 5)
 
+    def test_a_picture_of_parts_names_the_parts(self):
+        import xml.etree.ElementTree as tree
+        result = self.solved("a", GOOD)
+        self.done("draw", result, "--field", "part")
+        words = list(tree.parse(self.folder / "a.svg").getroot().itertext())
+        self.assertLessEqual({"net", "rope"}, set(words))
+
     def test_a_field_that_is_not_there_is_refused_with_those_that_are(self):
         result = self.solved("a", GOOD)
         self.assertIn("has no field opning; it has tension, ", self.refused("draw", result, "--field", "opning"))
