@@ -4,6 +4,7 @@
 #
 #   bin/netloft   include/netloft/   lib/netloft/ (plugins)   lib/cmake/netloft/
 #   share/netloft/ (gear-library, schema of scenes)   share/doc/netloft/ (guides, licence)
+#   share/man/   share/bash-completion/   share/zsh/
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME netloft)
 set(NETLOFT_CMAKE_DIR lib/cmake/netloft)
 
@@ -22,6 +23,21 @@ set(netloft_schema ${PROJECT_BINARY_DIR}/share/netloft/scene.schema.json)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/netloft)
 add_custom_command(OUTPUT ${netloft_schema} COMMAND netloft schema > ${netloft_schema} DEPENDS netloft netloft_plugins VERBATIM)
 add_custom_target(netloft_schema ALL DEPENDS ${netloft_schema})
+
+# The manual page and the completions of shells come from the table of commands in the program.
+set(netloft_documents "")
+function(netloft_document file)
+  cmake_path(GET file PARENT_PATH folder)
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
+  add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/${file} COMMAND netloft ${ARGN} > ${PROJECT_BINARY_DIR}/${file} DEPENDS netloft VERBATIM)
+  list(APPEND netloft_documents ${PROJECT_BINARY_DIR}/${file})
+  set(netloft_documents ${netloft_documents} PARENT_SCOPE)
+  install(FILES ${PROJECT_BINARY_DIR}/${file} DESTINATION ${folder})
+endfunction()
+netloft_document(share/man/man1/netloft.1 --manual)
+netloft_document(share/bash-completion/completions/netloft --completions bash)
+netloft_document(share/zsh/site-functions/_netloft --completions zsh)
+add_custom_target(netloft_documents ALL DEPENDS ${netloft_documents})
 
 install(TARGETS netloft RUNTIME DESTINATION bin)
 if(NOT NETLOFT_STATIC)

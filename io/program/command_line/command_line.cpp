@@ -2,6 +2,9 @@
 #include "io/program/command_line/command_line.hpp"
 
 #include "framework/parameters/nearest.hpp"
+#include "io/program/command_line/completions.hpp"
+#include "io/program/command_line/manual.hpp"
+#include "io/program/command_line/option_rows.hpp"
 #include "io/program/session/options.hpp"
 
 #include <algorithm>
@@ -22,6 +25,21 @@ void add_group(CLI::App& app, Chosen& chosen, const char* heading, AddCommands a
 
 }  // namespace
 
+namespace {
+
+/// Adds options that print what the installation lays down beside the program. They are not in the help.
+void add_documents(CLI::App& app) {
+  app.add_flag_callback("--manual", [&app] { throw CLI::CallForVersion(manual_page(app), 0); })->group("");
+  const auto print_for = [&app](const std::string& shell) {
+    throw CLI::CallForVersion(shell == "bash" ? bash_completion(app) : zsh_completion(app), 0);
+  };
+  app.add_option_function<std::string>("--completions", print_for)
+      ->check(CLI::IsMember({"bash", "zsh"}))
+      ->group("");
+}
+
+}  // namespace
+
 void add_commands(CLI::App& app, Chosen& chosen) {
   add_group(app, chosen, "Gears", add_gear_commands);
   add_group(app, chosen, "Scenes", add_scene_commands);
@@ -29,6 +47,7 @@ void add_commands(CLI::App& app, Chosen& chosen) {
   add_group(app, chosen, "Studies", add_study_commands);
   add_group(app, chosen, "Numerics", add_numeric_commands);
   add_group(app, chosen, "Plugins", add_plugin_commands);
+  add_documents(app);
   app.require_subcommand(1);
 }
 
@@ -53,11 +72,6 @@ namespace {
 const CLI::App& innermost(const CLI::App& app) {
   const auto commands = app.get_subcommands();
   return commands.empty() ? app : innermost(*commands.front());
-}
-
-/// The name of a command with those of its parents: "netloft study run".
-std::string full_name(const CLI::App& app) {
-  return app.get_parent() ? full_name(*app.get_parent()) + " " + app.get_name() : app.get_name();
 }
 
 const CLI::App& top_of(const CLI::App& app) { return app.get_parent() ? top_of(*app.get_parent()) : app; }

@@ -19,7 +19,7 @@ constexpr const char* kSetInPlan = "a value of the plan: panels.top-wing.aft=130
 void add_check_command(CLI::App& app, Chosen& chosen) {
   auto [check, o] = add_command(
       app, chosen, "check", "say whether a net plan can be sewn, and what to change if not", check_command);
-  check.add_option("GEAR", o.scene, "net plan (TOML)")->required();
+  check.add_option("GEAR", o.scene, "net plan")->required()->type_name("FILE.toml");
   add_set_option(check, o.set, kSetInPlan);
   add_scene_plugins_option(check, o);
   add_plugin_options(check, o);
@@ -73,7 +73,9 @@ void refuse_options_of_others(const DrawOptions& o, const CLI::App& draw) {
 void add_draw_command(CLI::App& app, Chosen& chosen) {
   auto [draw, o] = add_command(app, chosen, "draw", "draw a net plan to scale, or the shape of a result",
                                draw_command, refuse_options_of_others);
-  draw.add_option("GEAR", o.file, "net plan or polars (TOML), or result (.hdf)")->required();
+  draw.add_option("GEAR", o.file, "net plan or polars, or result")
+      ->required()
+      ->type_name("FILE.toml|FILE.hdf");
   as_word(draw.add_option("-o,--output", o.output,
                           "picture, for polars .svg or .html; default: the name of the gear or result with "
                           ".svg, in this folder"),
@@ -128,7 +130,7 @@ void add_import_command(CLI::App& app, Chosen& chosen) {
                   "femnet: GEAR.don, with its mesh GEAR.mdg or without one; table: nodes and bars as "
                   "GEAR.csv; moordyn: a mooring")
       ->check(CLI::IsMember({"femnet", "table", "moordyn"}));
-  auto* gear = import.add_option("GEAR", o.gear, "file of the gear");
+  auto* gear = import.add_option("GEAR", o.gear, "file of the gear")->type_name("FILE");
   auto* output = as_word(
       import.add_option(
           "-o,--output", o.output,

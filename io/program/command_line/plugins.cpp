@@ -30,7 +30,9 @@ void add_test_command(CLI::App& app, Chosen& chosen) {
       app, chosen, "test",
       "check the elements, laws and solvers of a plugin: derivatives, balance, vector lanes, conventions",
       test_command);
-  test.add_option("PLUGIN", o.plugin, "plugin file (.so), plugin name or element type")->required();
+  test.add_option("PLUGIN", o.plugin, "plugin file, plugin name or element type")
+      ->required()
+      ->type_name("FILE.so|NAME");
   test.add_option("--seconds", o.seconds, "processor time for the checks of one component; default: 60")
       ->check(numbers_between(0.001, 1e6));
   test.add_flag("--verbose", o.verbose, "list the checks that do not apply, too");

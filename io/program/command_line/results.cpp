@@ -17,7 +17,7 @@ constexpr const char *kForGltf = "For a .glb file", *kForTables = "For a .csv fi
 
 void add_report_command(CLI::App& app, Chosen& chosen) {
   auto [report, o] = add_command(app, chosen, "report", "print the report of a result again", report_command);
-  report.add_option("RESULT", o.result, "result file (.hdf)")->required();
+  report.add_option("RESULT", o.result, "result file")->required()->type_name("FILE.hdf");
   auto* json = report.add_flag("--json", o.json, "one JSON object on standard output");
   auto* csv = report.add_flag("--csv", o.csv, "comma-separated values on standard output")->excludes(json);
   as_word(report.add_option("-o,--output", o.output,
@@ -35,12 +35,13 @@ void refuse_options_of_other_files(const ExportOptions& o, const CLI::App& comma
 void add_export_command(CLI::App& app, Chosen& chosen) {
   auto [convert, o] = add_command(app, chosen, "export", "write a result for other programs", export_command,
                                   refuse_options_of_other_files);
-  convert.add_option("RESULT", o.result, "result file (.hdf)")->required();
+  convert.add_option("RESULT", o.result, "result file")->required()->type_name("FILE.hdf");
   convert
       .add_option("FILE,-o,--output", o.output,
                   "its ending names the format: .glb is binary glTF, .csv a table, .mesh, .obj and .vtk "
                   "meshes for scenes")
-      ->required();
+      ->required()
+      ->type_name("FILE.glb|FILE.csv|FILE.mesh|FILE.obj|FILE.vtk");
   add_state_option(convert, o.state);
   add_json_option(convert, o);
   as_word(convert.add_option("--field", o.field,
@@ -57,7 +58,7 @@ void add_view_command(CLI::App& app, Chosen& chosen) {
       app, chosen, "view",
       "write a page that shows results: two are laid over one another, more than two get a slider",
       view_command);
-  view.add_option("RESULT", o.results, "result files (.hdf)")->required();
+  view.add_option("RESULT", o.results, "result files")->required()->type_name("FILE.hdf");
   as_word(view.add_option("-o,--output", o.output,
                           "page; default: the first result's name with .html, in this folder"),
           "FILE.html");
@@ -69,8 +70,10 @@ void add_view_command(CLI::App& app, Chosen& chosen) {
 void add_diff_command(CLI::App& app, Chosen& chosen) {
   auto [diff, o] = add_command(
       app, chosen, "diff", "print what changed between two results, and between their inputs", diff_command);
-  diff.add_option("BEFORE", o.before, "result file (.hdf)")->required();
-  diff.add_option("AFTER", o.after, "result file that is compared with it")->required();
+  diff.add_option("BEFORE", o.before, "result file")->required()->type_name("FILE.hdf");
+  diff.add_option("AFTER", o.after, "result file that is compared with it")
+      ->required()
+      ->type_name("FILE.hdf");
   diff.add_flag("--all", o.all, "all numbers and changes of the inputs, not the most important alone");
   add_json_option(diff, o);
 }

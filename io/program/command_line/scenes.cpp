@@ -25,7 +25,7 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
       ->excludes("--resume");
   as_word(run.add_option("--start-from", o.start_from,
                          "begin the search from the shape of the gear in another result"),
-          "RESULT.hdf")
+          "FILE.hdf")
       ->excludes("--resume");
   run.add_flag("--stages", o.stages,
                "keep the start and the shape after every stage of the solve, for the slider of view");

@@ -58,7 +58,7 @@ void add_scene_plugins_option(CLI::App& command, SceneOptions& o) {
 }
 
 void add_scene_options(CLI::App& command, SceneOptions& o) {
-  command.add_option("SCENE", o.scene, "scene file (TOML)")->required();
+  command.add_option("SCENE", o.scene, "scene file")->required()->type_name("FILE.toml");
   add_set_option(command, o.set, "a value of the scene: parts.net.cells=[64,64]");
   command
       .add_option(

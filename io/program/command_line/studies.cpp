@@ -18,7 +18,9 @@ constexpr const char* kFigureDoc =
 
 template <class Options>
 void add_folder(CLI::App& action, Options& o) {
-  action.add_option("FOLDER", o.folder, "folder that `netloft study plan` wrote")->required();
+  action.add_option("FOLDER", o.folder, "folder that `netloft study plan` wrote")
+      ->required()
+      ->type_name("FOLDER");
 }
 
 /// Adds an action on a planned study that loads no plugins.
@@ -34,7 +36,7 @@ Command<Options> add_action(CLI::App& study, Chosen& chosen, const char* name, c
 void add_plan_action(CLI::App& study, Chosen& chosen) {
   auto [plan, o] = add_command(study, chosen, "plan",
                                "check a study file and write the manifest of its items", study_plan_command);
-  plan.add_option("STUDY", o.file, "study file (TOML)")->required();
+  plan.add_option("STUDY", o.file, "study file")->required()->type_name("FILE.toml");
   as_word(plan.add_option("-o,--output", o.output,
                           "folder of the study; default: its name with .study, in this folder"),
           "FOLDER");
@@ -172,7 +174,7 @@ void add_study_commands(CLI::App& app, Chosen& chosen) {
   auto [calibrate, o] = add_command(
       app, chosen, "calibrate",
       "find unknown values of scenes from measurements, and predict those held back", calibrate_command);
-  calibrate.add_option("CALIBRATION", o.file, "calibration file (TOML)")->required();
+  calibrate.add_option("CALIBRATION", o.file, "calibration file")->required()->type_name("FILE.toml");
   add_plugin_options(calibrate, o);
 }
 

@@ -13,7 +13,8 @@ HOLDS = ("usr/bin/netloft", "usr/lib/netloft/rope.so", "usr/lib/netloft/newton.s
          "usr/include/netloft/element.hpp", "usr/include/netloft/solver.hpp", "usr/lib/cmake/netloft/netloftConfig.cmake",
          "usr/lib/cmake/netloft/plugin.map", "usr/share/netloft/gear-library/scenes/hanging-rope.toml",
          "usr/share/doc/netloft/guides/element.md", "usr/share/doc/netloft/guides/law.md", "usr/share/doc/netloft/guides/solver.md", "usr/share/doc/netloft/guides/strategy.md",
-         "usr/share/netloft/scene.schema.json", "usr/share/doc/netloft/copyright", "usr/share/doc/netloft/copyright-of-libhdf5-dev")
+         "usr/share/netloft/scene.schema.json", "usr/share/doc/netloft/copyright", "usr/share/doc/netloft/copyright-of-libhdf5-dev",
+         "usr/share/man/man1/netloft.1", "usr/share/bash-completion/completions/netloft", "usr/share/zsh/site-functions/_netloft")
 
 
 class Unpacked(Installation):
