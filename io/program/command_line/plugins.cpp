@@ -40,12 +40,16 @@ void add_test_command(CLI::App& app, Chosen& chosen) {
 }
 
 void add_new_command(CLI::App& app, Chosen& chosen) {
-  auto [make, o] = add_command(
-      app, chosen, "new", "write a plugin to begin with: it builds, passes its tests and runs", new_command);
-  make.add_option("KIND", o.kind, "what the plugin holds")
+  auto [make, o] = add_command(app, chosen, "new",
+                               "write a gear or a plugin to begin with: a gear is sewn and runs, a plugin "
+                               "builds, passes its tests and runs",
+                               new_command);
+  make.add_option("KIND", o.kind, "a trawl of two or four panels, or what the plugin holds")
       ->required()
-      ->check(CLI::IsMember({"element", "law", "solver", "integrator", "strategy"}));
-  make.add_option("NAME", o.name, "its name, such as otter_board; also that of the folder")->required();
+      ->check(
+          CLI::IsMember({"two-panel", "four-panel", "element", "law", "solver", "integrator", "strategy"}));
+  make.add_option("NAME", o.name, "its name, such as otter_board")->required();
+  as_word(make.add_option("-o,--output", o.output, "folder; default: the name, in this folder"), "FOLDER");
 }
 
 }  // namespace

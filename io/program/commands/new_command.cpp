@@ -35,8 +35,10 @@ std::string type_name(const std::string& name) {
   return type;
 }
 
+bool is_gear(const std::string& kind) { return kind.ends_with("-panel"); }
+
 void refuse(const std::string& name, const std::string& why) {
-  throw UsageError{"\"" + name + "\" cannot be the name of a plugin: " + why};
+  throw UsageError{"\"" + name + "\" cannot be the name: " + why};
 }
 
 void check_spelling(const std::string& name) {
@@ -52,10 +54,16 @@ void check_spelling(const std::string& name) {
 constexpr std::array kTaken = {"parameters", "data", "elastic",    "all",           "test",   "clean",
                                "install",    "help", "edit_cache", "rebuild_cache", "package"};
 
-void check_name(const std::string& name, const Registry& registry) {
-  check_spelling(name);
-  if (std::find(kTaken.begin(), kTaken.end(), name) != kTaken.end())
-    refuse(name, "the files that would be written use this word already");
+constexpr const char* kUsed = "the files that would be written use this word already";
+
+void check_name_of_gear(const std::string& name) {
+  if (name == "tow") refuse(name, kUsed);
+}
+
+void check_name_of_plugin(const std::string& name) {
+  Registry registry;
+  find_plugins({}, registry);
+  if (std::find(kTaken.begin(), kTaken.end(), name) != kTaken.end()) refuse(name, kUsed);
   const auto there = registry.available();
   if (std::find(there.begin(), there.end(), name) != there.end())
     refuse(name, "there is a plugin of that name, and one would hide the other");
@@ -75,26 +83,35 @@ std::string without_licence(std::string text) {
 }
 
 std::string renamed(const std::string& text, const std::string& kind, const std::string& name) {
-  const std::string old = "my_" + kind;
+  const std::string old = is_gear(kind) ? "my_gear" : "my_" + kind;
   return replaced(replaced(text, old, name), type_name(old), type_name(name));
 }
 
-void say_what_next(const std::string& name) {
+void say_what_next_of_gear(const std::string& folder, const std::string& name) {
   print(
-      fmt::format("{0}/ holds {0}.cpp, a test, a scene and a README. It works as it is:\n"
+      fmt::format("{0}/ holds {1}.toml, a scene and a README. It works as it is:\n"
+                  "  netloft check {0}/{1}.toml\n"
+                  "  netloft draw {0}/{1}.toml -o {1}.png\n"
+                  "  netloft run {0}/tow.toml && netloft view tow.hdf\n",
+                  folder, name));
+}
+
+void say_what_next(const std::string& folder, const std::string& name) {
+  print(
+      fmt::format("{0}/ holds {1}.cpp, a test, a scene and a README. It works as it is:\n"
                   "  cmake -S {0} -B {0}/build && cmake --build {0}/build\n"
                   "  ctest --test-dir {0}/build --output-on-failure\n"
-                  "  netloft run {0}/{0}.toml --plugins {0}/build\n",
-                  name));
+                  "  netloft run {0}/{1}.toml --plugins {0}/build\n",
+                  folder, name));
 }
 
 }  // namespace
 
 int new_command(const NewOptions& options) {
-  Registry registry;
-  find_plugins({}, registry);
-  check_name(options.name, registry);
-  const fs::path folder = options.name;
+  const bool of_gear = is_gear(options.kind);
+  check_spelling(options.name);
+  of_gear ? check_name_of_gear(options.name) : check_name_of_plugin(options.name);
+  const fs::path folder = options.output.empty() ? options.name : options.output;
   std::error_code error;
   if (fs::exists(folder, error)) throw UsageError{folder.string() + ": a file or folder of that name exists"};
   if (!fs::create_directory(folder, error))
@@ -109,7 +126,8 @@ int new_command(const NewOptions& options) {
     fs::remove_all(folder, none);
     throw;
   }
-  say_what_next(options.name);
+  of_gear ? say_what_next_of_gear(folder.string(), options.name)
+          : say_what_next(folder.string(), options.name);
   return kDone;
 }
 

@@ -16,12 +16,13 @@ struct TestOptions : PluginOptions {
 
 struct NewOptions {
   std::string kind, name;  // arguments KIND NAME
+  std::string output;      // option -o
 };
 
 int list_command(const PluginOptions& options);        // lists all components
 int describe_command(const DescribeOptions& options);  // describes one component
 int schema_command(const PluginOptions& options);      // prints the JSON schema of scenes
 int test_command(const TestOptions& options);          // checks the conformance of a plugin
-int new_command(const NewOptions& options);            // creates a plugin from a template
+int new_command(const NewOptions& options);            // creates a plugin or a gear from a template
 
 }  // namespace netloft::program

@@ -109,6 +109,35 @@ class Gears(InFreshFolder):
         self.assertIn("panels", run.err)
 
 
+class NewGears(InFreshFolder):
+    """What `netloft new` writes can be sewn, drawn and towed as it is."""
+
+    def test_are_sewn_drawn_and_towed_as_they_are(self):
+        for kind in ("two-panel", "four-panel"):
+            with self.subTest(kind):
+                self.assertEqual(self.netloft("new", kind, "small_trawl", "-o", kind).code, 0)
+                checked = self.netloft("check", f"{kind}/small_trawl.toml")
+                self.assertEqual((checked.code, checked.err), (0, ""))
+                self.assertEqual(self.netloft("draw", f"{kind}/small_trawl.toml", "-o", "plan.png").code, 0)
+                run = self.netloft("run", f"{kind}/tow.toml", "-o", f"{kind}.hdf")
+                self.assertEqual(run.code, 0, run.out + run.err)
+                self.assertIn("stable equilibrium", run.out)
+                self.assertNotIn("warning", run.out + run.err)
+
+    def test_have_the_name_that_is_wanted(self):
+        self.assertEqual(self.netloft("new", "four-panel", "small_trawl").code, 0)
+        for name in ("README.md", "small_trawl.toml", "tow.toml"):
+            self.assertNotIn("my_gear", self.files()[f"small_trawl/{name}"].decode())
+        self.assertIn('include = ["small_trawl.toml"]', self.files()["small_trawl/tow.toml"].decode())
+
+    def test_that_would_replace_something_are_refused(self):
+        self.write("there", "")
+        for words, why in ((("tow",), "use this word already"), (("Trawl",), "small letters"), (("trawl", "-o", "there"), "exists")):
+            refused = self.netloft("new", "two-panel", *words)
+            self.assertEqual(refused.code, 2)
+            self.assertIn(why, refused.err)
+
+
 BOARDS = SOURCE / "gear-library/gears/pelagic-with-doors.toml"
 
 

@@ -42,6 +42,7 @@ COMMANDS = (
     (f"netloft schema {COMMON}", "$schema"),
     (f"netloft test float --seconds 50 --verbose {COMMON}", "float/float"),
     ("netloft new law square_plate", "square_plate.cpp"),
+    ("netloft new two-panel small -o first; ls first", "small.toml"),
     (f"netloft catalogue twine {PRINTED}", "pe-braided-4mm"),
     (f"netloft check {GEAR} --set ropes.headline.length=7 --scene-plugins {COMMON}", '"findings"'),
     (f"netloft draw {GEAR} --set ropes.headline.length=7 {PRINTED} --mesh --nodes 200 -o mesh.svg; ls mesh.svg", "mesh.svg"),
