@@ -213,7 +213,7 @@ class Draughtsman {
   }
 
   /// Puts the text where it overlaps no other: in the middle of the panel; in two lines, if the panel is
-  /// short; beside its middle; or to port of the panel. The last is also the place for narrow panels.
+  /// short; beside its middle; or, as for narrow panels, to port at one of three heights.
   void draw_words(const PlacedPanel& placed) {
     const std::vector<TextBlock> places = places_of_words(placed);
     const TextBlock* best = &places.back();
@@ -233,7 +233,7 @@ class Draughtsman {
     std::vector<TextBlock> places;
     for (const auto& lines : {tall, flat})
       for (const double along : {0.5, 0.25, 0.75}) add_place_inside(placed, lines, along, places);
-    add_place_to_port(placed, tall, places);
+    for (const double down : {0.5, 0.25, 0.75}) add_place_to_port(placed, tall, down, places);
     return places;
   }
 
@@ -256,10 +256,11 @@ class Draughtsman {
     places.push_back({{x, first_line(middle, lines)}, lines, formats::Anchor::middle});
   }
 
-  void add_place_to_port(const PlacedPanel& placed, const std::vector<std::string>& lines,
+  void add_place_to_port(const PlacedPanel& placed, const std::vector<std::string>& lines, double down,
                          std::vector<TextBlock>& places) const {
     const Box box = box_of({placed});
-    const double middle = (box.top + box.bottom) / 2, half = height_of(lines) / 2 / scale_.per_metre;
+    const double middle = std::lerp(box.top, box.bottom, down),
+                 half = height_of(lines) / 2 / scale_.per_metre;
     double left = across_at(placed, middle).left;
     for (const double end : {middle - half, middle + half})
       left = std::min(left, across_at(placed, end).left);

@@ -9,8 +9,9 @@ namespace netloft::gears {
 namespace {
 
 constexpr double kMeanLetter =
-    0.58;                   // mean width of a letter of Noto Sans over its size; others are narrower
-constexpr double kRim = 4;  // least distance of texts from the edge of the drawing
+    0.58;                       // mean width of a letter of Noto Sans over its size; others are narrower
+constexpr double kRim = 4;      // least distance of texts from the edge of the drawing
+constexpr double kBetween = 4;  // distance below which texts of one line look like one text
 // So many texts fill a sheet. Later ones have no free place, and looking for one would only take time.
 constexpr std::size_t kMostAvoided = 2000;
 
@@ -61,7 +62,7 @@ double Lettering::overlap(const TextBlock& block) const {
     const double height = own.bottom - own.top;
     sum += height * (std::max(0.0, kRim - own.left) + std::max(0.0, own.right - width_ + kRim));
     for (const Area& other : taken_) {
-      const double across = std::min(own.right, other.right) - std::max(own.left, other.left);
+      const double across = std::min(own.right, other.right) - std::max(own.left, other.left) + kBetween;
       const double down = std::min(own.bottom, other.bottom) - std::max(own.top, other.top);
       if (across > 0 && down > 0) sum += across * down;
     }

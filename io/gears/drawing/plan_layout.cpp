@@ -4,7 +4,7 @@
 #include "io/gears/plan/names.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -39,6 +39,32 @@ std::optional<Seam> seam_of(EdgeSet a, EdgeSet b) {
   if (a.edges[0].kind != EdgeKind::aft) std::swap(a, b);
   if (a.edges[0].kind != EdgeKind::aft || b.edges[0].kind != EdgeKind::fore) return {};
   return Seam{std::move(a), std::move(b)};
+}
+
+/// The box around a panel on the sheet [m on the net]; of a middle panel around both halves, and of a pair
+/// around the panel to starboard.
+struct PanelBox {
+  double left = INFINITY, right = -INFINITY, fore = INFINITY, aft = -INFINITY;
+
+  /// Whether two panels overlap, and do not only touch.
+  bool is_on(const PanelBox& other) const {
+    const double across = std::min(right, other.right) - std::max(left, other.left);
+    const double deep = std::min(aft, other.aft) - std::max(fore, other.fore);
+    return across > kTouch * (right - left) && deep > kTouch * (aft - fore);
+  }
+};
+
+PanelBox box_around(const PlacedPanel& panel) {
+  PanelBox box;
+  for (const auto& corner : panel.outline.corners()) {
+    const PanelPoint at = panel.on_sheet(corner);
+    box.left = std::min(box.left, at.x);
+    box.right = std::max(box.right, at.x);
+    box.fore = std::min(box.fore, at.y);
+    box.aft = std::max(box.aft, at.y);
+  }
+  if (panel.panel->stands == Standing::middle) box.left = 2 * panel.x - box.right;
+  return box;
 }
 
 /// Lays out one column after the other; the member functions are steps in the order of execution.
@@ -128,15 +154,14 @@ class Sheet {
     }
   }
 
-  /// Whether a middle panel has the middle of the column for itself from its fore to its aft edge. If not,
-  /// it begins a column of its own, such as the lower panel that is sewn to the same tube as the upper one.
+  /// Whether a panel lies on none of those of the column before it, and remembers its place. A panel that
+  /// lies on another begins a column of its own, such as the lower panel that is sewn to the same tube as the
+  /// upper one.
   bool takes_its_place(const Next& now) {
-    if (now.panel->stands != Standing::middle) return true;
-    const double fore = now.y, aft = now.y + length_of_mesh(*now.panel) * now.panel->depth;
-    const double both = kTouch * (aft - fore);
-    const auto behind = taken_.lower_bound(aft - both);
-    if (behind != taken_.begin() && std::prev(behind)->second > fore + both) return false;
-    taken_[fore] = aft;
+    const PanelBox own = box_around({now.panel, now.panel->outline, now.x, now.y, false});
+    for (const PanelBox& other : taken_)
+      if (own.is_on(other)) return false;
+    taken_.push_back(own);
     return true;
   }
 
@@ -163,7 +188,7 @@ class Sheet {
   std::map<const Panel*, std::vector<Neighbour>> sewn_;
   std::vector<PlacedPanel> placed_;
   std::set<const Panel*> seen_;
-  std::map<double, double> taken_;  // fore and aft ends of the middle panels in the column [m on the net]
+  std::vector<PanelBox> taken_;  // of the panels in the column
   double next_ = 0, mirror_about_ = 0;
 };
 

@@ -58,6 +58,16 @@ TEST(Layout, PutsNoMiddlePanelOnAnother) {
   EXPECT_NEAR(placed(panels, "upper").x, placed(panels, "bag").x, 1e-12);
 }
 
+/// Side panels that are sewn to the same tube as the top of the net have a column of their own, too.
+TEST(Layout, PutsNoPairOnAMiddlePanel) {
+  std::ifstream file(test::source_folder() + "/io/program/templates/four-panel/my_gear.toml");
+  const auto checked = check_text({std::istreambuf_iterator<char>(file), {}});
+  const auto panels = lay_out(checked.plan);
+  const PanelPoint corner = placed(panels, "top").on_sheet({56, 0}),
+                   inner = placed(panels, "side", true).on_sheet({52, 0});
+  EXPECT_GT(inner.x, corner.x);
+}
+
 TEST(Drawing, NamesPanelsCountsCuttingsTwinesAndRopes) {
   const std::string svg = svg_of(check_text(library_text("83-112-eastern.toml")).plan);
   for (const char* words : {"top-wing", "5B1P", "3B1M", "127.5", "128.5", "101.6 mm", "pa-twisted-2.3mm",
