@@ -9,13 +9,13 @@ namespace netloft {
 
 namespace {
 
-/// Largest difference between any coordinate and the first one, at the start [m]; at least 1. Degrees of
-/// freedom that are not positions are left out.
+/// Largest difference along an axis between a node and the first one, at the start [m]; at least 1. Degrees
+/// of freedom that are not positions are left out.
 double largest_distance(const Assembler& assembler) {
   const std::vector<double>& x = assembler.start();
   double largest = 1;
   for (std::size_t i = 0; i < x.size(); ++i)
-    if (assembler.is_place(i)) largest = std::max(largest, std::abs(x[i] - x[0]));
+    if (assembler.is_place(i)) largest = std::max(largest, std::abs(x[i] - x[i % 3]));
   return largest;
 }
 

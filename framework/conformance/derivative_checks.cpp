@@ -282,27 +282,27 @@ namespace {
 
 /// Work of the force along a straight path, summed over pieces by the midpoint rule, and the sum of the
 /// absolute works of the pieces.
-struct StageRecord {
+struct PathWork {
   Lanes work = Lanes(kLanes, 0.0), effort = Lanes(kLanes, 0.0);
   bool inside = true;  // whether all points are inside the domain
 };
 
-StageRecord walk(const Bench& b, const netloft_term& term, const States& from,
-                 const std::vector<double>& direction, const Lanes& length, int pieces) {
-  StageRecord leg;
+PathWork walk(const Bench& b, const netloft_term& term, const States& from,
+              const std::vector<double>& direction, const Lanes& length, int pieces) {
+  PathWork path;
   for (int k = 0; k < pieces; ++k) {
     Lanes step = length;
     for (double& h : step) h *= (k + 0.5) / pieces;
     const Answer a = b.specimen->evaluate(term, moved(from, direction, step), NETLOFT_WANT_FORCE);
-    leg.inside = leg.inside && a.ok();
+    path.inside = path.inside && a.ok();
     Lanes slope(kLanes, 0.0);
     for (std::size_t i = 0; i < a.force.size(); ++i) slope[i % kLanes] += a.force[i] * direction[i];
     for (std::size_t lane = 0; lane < from.count; ++lane) {
-      leg.work[lane] += slope[lane] * length[lane] / pieces;
-      leg.effort[lane] += std::abs(slope[lane]) * length[lane] / pieces;
+      path.work[lane] += slope[lane] * length[lane] / pieces;
+      path.effort[lane] += std::abs(slope[lane]) * length[lane] / pieces;
     }
   }
-  return leg;
+  return path;
 }
 
 /// Compares the work along a path with the change of energy. If they are equal on every path, the work is
@@ -311,14 +311,15 @@ StageRecord walk(const Bench& b, const netloft_term& term, const States& from,
 /// the domain.
 Lanes energy_not_accounted_for(const Bench& b, const netloft_term& term, const States& from,
                                const std::vector<double>& direction, const Lanes& length, int pieces) {
-  const StageRecord leg = walk(b, term, from, direction, length, pieces);
+  const PathWork path = walk(b, term, from, direction, length, pieces);
   const Answer start = b.specimen->evaluate(term, from, NETLOFT_WANT_ENERGY);
   const Answer end = b.specimen->evaluate(term, moved(from, direction, length), NETLOFT_WANT_ENERGY);
   Lanes error(kLanes, -1.0);
-  if (!leg.inside || !start.ok() || !end.ok()) return error;
+  if (!path.inside || !start.ok() || !end.ok()) return error;
   for (std::size_t lane = 0; lane < from.count; ++lane) {
     const double rounding = 1e-12 * (std::abs(start.energy[lane]) + std::abs(end.energy[lane]));
-    error[lane] = ratio(end.energy[lane] - start.energy[lane] - leg.work[lane], leg.effort[lane] + rounding);
+    error[lane] =
+        ratio(end.energy[lane] - start.energy[lane] - path.work[lane], path.effort[lane] + rounding);
   }
   return error;
 }

@@ -119,7 +119,7 @@ void Watchdog::look_at_interruption(double now) {
 void Watchdog::abandon_result() {
   abandon_();
   const std::string said =
-      "interrupted; the result is not written, which would have taken longer than a second";
+      "interrupted; the result is not written, which took more than half a second of processor time";
   terminal_.say("netloft: " + said);
   if (terminal_.json()) print_line(error_json(said, kInterrupted));
   std::fflush(stdout);
