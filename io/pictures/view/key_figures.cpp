@@ -50,7 +50,7 @@ std::string key_figures_html(const std::vector<const results::Result*>& results)
   }
   if (html.empty()) return html;
   return "<dl id=\"keys\">\n" + html + "</dl>\n<p class=\"errors\">" +
-         in_html(results::errors_text(*results.front())) + ".</p>\n";
+         in_html(results::short_errors_text(*results.front())) + ".</p>\n";
 }
 
 }  // namespace netloft::pictures

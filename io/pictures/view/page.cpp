@@ -9,6 +9,7 @@
 #include "io/pictures/view/result_json.hpp"
 #include "io/results/diff/varied_key.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace netloft::pictures {
@@ -38,12 +39,22 @@ std::string unfinished_html(const results::Result& result) {
          "</strong>, so that this is not the shape in equilibrium. " + in_html(result.sentence) + "</p>\n";
 }
 
-std::string picture_html(const results::StoredShape& shape, View view, const std::string& words) {
+std::string picture_html(const results::StoredShape& shape, View view, const std::string& words,
+                         Framing framing = Framing::netting) {
   SheetOptions options;
+  options.framing = framing;
   options.view = view;
   options.width = kPictureWidth;
   options.with_dimensions = options.is_small = true;
   return "<figure>" + svg_sheet(shape, options) + "<figcaption>" + words + "</figcaption></figure>\n";
+}
+
+/// A view from above with boards and sweeps; empty for a gear without boards.
+std::string rig_html(const results::StoredShape& shape) {
+  const auto is_of_board = [](const auto& figure) { return figure.name.starts_with("pairs/"); };
+  return std::ranges::any_of(shape.result.figures, is_of_board)
+             ? picture_html(shape, View::top, "From above, with the boards", Framing::boards)
+             : "";
 }
 
 /// Views from the side, from above and from the front, and the plan, for readers without scripts and for
@@ -87,7 +98,7 @@ std::string report_page(const results::StoredShape& shape) {
   return head(result.title, badge_html(result), kPageQuietPolicy) + "<main>\n<div class=\"sheet\">\n" +
          summary_html(result) + key_figures_html({&result}) +
          picture_html(shape, View::oblique, "Obliquely from ahead") + deck_html(result) +
-         "</div>\n<div class=\"sheet next-page\">\n" + materials_html(result) +
+         "</div>\n<div class=\"sheet next-page\">\n" + materials_html(result) + rig_html(shape) +
          "</div>\n<div class=\"sheet next-page\">\n" + pictures_html(shape) +
          "</div>\n<div class=\"sheet next-page\">\n<h2>Details</h2>\n" + details_html(result) +
          "</div>\n</main>\n</body>\n</html>\n";

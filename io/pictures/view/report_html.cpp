@@ -4,6 +4,7 @@
 #include "io/formats/svg/svg.hpp"
 #include "io/results/diff/report_diff.hpp"
 #include "io/results/figures/figure_names.hpp"
+#include "io/results/figures/merged_scene.hpp"
 #include "io/results/text/result_tables.hpp"
 #include "io/results/text/result_text.hpp"
 
@@ -79,6 +80,13 @@ std::string folded(const std::string& title, const std::string& text) {
          "</pre></details>\n";
 }
 
+/// The gear, its source, and the conditions under which the figures hold.
+std::string conditions_html(const results::Result& result) {
+  HtmlTable table({"", ""});
+  for (const auto& one : results::conditions_of(result)) table.row().text(one.name).text(one.value).end();
+  return table.finish();
+}
+
 std::string head_html(const results::Result& result) {
   std::string html = result.is_answer() ? "" : paragraph(result.sentence);
   for (const auto& sentence : result.diagnostics) html += paragraph(sentence + ".");
@@ -115,7 +123,7 @@ std::string tables_html(const std::vector<results::FigureTable>& tables) {
       for (const auto& cell : row.cells) table.value(cell == "-" ? "–" : cell);
       table.end();
     }
-    std::string title = one.title;
+    std::string title = one.title == "bodies" ? "boards and other bodies" : one.title;
     title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
     html += heading(in_html(title).c_str()) + table.finish();
   }
@@ -195,7 +203,7 @@ std::string numbers_html(const std::vector<results::NumberDifference>& numbers) 
 std::string in_html(const std::string& text) { return formats::escape_markup(text); }
 
 std::string summary_html(const results::Result& result) {
-  std::string html = head_html(result);
+  std::string html = conditions_html(result) + head_html(result);
   for (const auto& warning : result.warnings)
     html += "<p class=\"warning\">Warning: " + in_html(warning) + ".</p>\n";
   return html;
@@ -223,10 +231,11 @@ std::string diff_html(const results::ResultDiff& diff) {
   html += "<ul>\n";
   for (const auto& change : results::input_changes(diff)) html += "<li>" + in_html(change) + "</li>\n";
   html += "</ul>\n";
-  HtmlTable figures({"figure", "before", "after", "change", ""});
+  HtmlTable figures({"figure", "before", "after", "change", "", ""});
   for (const std::size_t i : diff.figures) {
     const auto change = results::figure_change(diff.numbers[i]);
-    figures.row().text(change.name).value(change.before).value(change.after).value(change.percent);
+    figures.row().text(change.name).value(change.before).value(change.after);
+    figures.value(change.difference).value(change.percent);
     figures.text(change.exceeds ? "*" : "").end();
   }
   html += figures.finish() + paragraph(results::errors_line(diff) + ".");

@@ -27,7 +27,9 @@ constexpr double kLook = 0.1;  // [s] between two inspections
 // [s] that a plugin call may take after the time is over; factorisations of the host do not count
 constexpr double kGrace = 2;
 constexpr double kGraceOfReading = 0.5;  // [s] that reading a scene may still take
-constexpr double kGraceOfWriting = 0.5;  // [s] of processor time that writing a result may still take
+// [s] of processor time that writing a result may still take after an interruption. What the solver takes
+// until it heeds the interruption does not count.
+constexpr double kGraceOfWriting = 0.5;
 // Calls of the host that a method may still make after the time is over. Built-in solvers check the time at
 // least ten times within as many calls.
 constexpr std::uint64_t kCallbacks = 1000;
@@ -79,6 +81,7 @@ void Watchdog::allow(double seconds) {
 void Watchdog::begin_writing(std::function<void()> abandon) {
   const std::lock_guard lock(mutex_);
   abandon_ = std::move(abandon);
+  writing_since_cpu_ = cpu_seconds();
 }
 
 void Watchdog::end_writing() {
@@ -110,7 +113,8 @@ void Watchdog::look_at_interruption(double now) {
     interrupted_at_ = now;
     interrupted_at_cpu_ = cpu_seconds();
   }
-  if (abandon_ && cpu_seconds() - interrupted_at_cpu_ > kGraceOfWriting) abandon_result();
+  if (abandon_ && cpu_seconds() - std::max(interrupted_at_cpu_, writing_since_cpu_) > kGraceOfWriting)
+    abandon_result();
   const std::string under_way = terminal_.reading().under_way();
   if (!under_way.empty() && now - interrupted_at_ > kGraceOfReading)
     end(true, under_way + " did not end after the interruption");

@@ -62,6 +62,7 @@ class Watchdog {
   Terminal& terminal_;
   std::function<int(const Overdue&)> last_act_;
   double interrupted_at_ = 0, interrupted_at_cpu_ = 0;  // [s], of processor time; 0: not interrupted
+  double writing_since_cpu_ = 0;                        // [s], of processor time
   std::function<void()> abandon_;                       // empty: no result is being written
   double deadline_ = std::numeric_limits<double>::infinity();
   double over_since_ = 0;

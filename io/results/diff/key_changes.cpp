@@ -3,6 +3,7 @@
 
 #include "io/formats/toml/document.hpp"
 #include "io/formats/toml/spelled_value.hpp"
+#include "io/results/figures/merged_scene.hpp"
 
 #include <algorithm>
 
@@ -76,34 +77,11 @@ std::vector<KeyChange> changes_between(const Value& before, const Value& after) 
   return comparison.take();
 }
 
-std::vector<std::string> overrides_of(const std::vector<std::string>& command) {
-  const std::string option = "--set";
-  std::vector<std::string> overrides;
-  for (std::size_t i = 0; i < command.size(); ++i) {
-    if (command[i] == option && i + 1 < command.size()) overrides.push_back(command[i + 1]);
-    if (command[i].starts_with(option + "=")) overrides.push_back(command[i].substr(option.size() + 1));
-  }
-  return overrides;
-}
-
-/// The scene of a result as one table; nullopt if it cannot be put together from the texts of the result.
-/// Adds the paths of its files to `paths`.
-std::optional<Value> scene_of(const Origins& origins, std::set<std::string>& paths) {
-  if (origins.files.empty()) return std::nullopt;
-  std::vector<formats::SourceFile> files;
-  for (const auto& file : origins.files) files.push_back({file.path, file.text, file.hash});
-  formats::Diagnostics unheard;
-  auto document = formats::Document::recall(std::move(files), overrides_of(origins.command), unheard);
-  if (unheard.errors()) return std::nullopt;
-  for (const auto& file : document.files()) paths.insert(file.path);
-  return document.root();
-}
-
 }  // namespace
 
 std::optional<std::vector<KeyChange>> find_key_changes(const Origins& before, const Origins& after,
                                                        std::set<std::string>& files) {
-  const auto a = scene_of(before, files), b = scene_of(after, files);
+  const auto a = merged_scene(before, files), b = merged_scene(after, files);
   return a && b ? std::optional(changes_between(*a, *b)) : std::nullopt;
 }
 

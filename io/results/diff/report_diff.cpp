@@ -101,15 +101,15 @@ std::string words_of(const std::string& name) {
 
 std::string figure_row(const NumberDifference& d) {
   const FigureChange change = figure_change(d);
-  return fmt::format("{} {:<28} {:>20} {:>20} {:>10}", change.exceeds ? "*" : " ", change.name, change.before,
-                     change.after, change.percent);
+  return fmt::format("{} {:<26} {:>18} {:>18} {:>14} {:>10}", change.exceeds ? "*" : " ", change.name,
+                     change.before, change.after, change.difference, change.percent);
 }
 
 /// Writes the figures that changed, the most important first.
 void figures_text(const ResultDiff& diff, bool all, Out out) {
   const std::size_t shown = all ? diff.figures.size() : std::min(diff.figures.size(), kShownFigures);
   if (shown > 0)
-    fmt::format_to(out, "  {:<28} {:>20} {:>20} {:>10}\n", "figure", "before", "after", "change");
+    fmt::format_to(out, "  {:<26} {:>18} {:>18} {:>14}\n", "figure", "before", "after", "change");
   for (std::size_t i = 0; i < shown; ++i)
     fmt::format_to(out, "{}\n", figure_row(diff.numbers[diff.figures[i]]));
   const auto is_changed = [](const auto& d) { return d.is_changed(); };
@@ -225,13 +225,21 @@ std::vector<std::string> input_changes(const ResultDiff& diff, std::size_t most)
 }
 
 FigureChange figure_change(const NumberDifference& d) {
+  const auto with_unit = [](const std::string& number, const NamedScalar& figure) {
+    const std::string unit = unit_text(figure.unit);
+    return std::isfinite(figure.value) && !unit.empty() ? number + " " + unit : number;
+  };
   const auto text_of = [&](double value, double error) {
     const NamedScalar figure = spoken_figure(d, value, error);
-    const bool has_unit = std::isfinite(value) && !figure.unit.empty();
-    return measured(figure, "{:.5g}") + (has_unit ? " " + unit_text(figure.unit) : "");
+    return with_unit(measured(figure, "{:.5g}"), figure);
   };
-  return {words_of(d.name), text_of(d.before, d.error_before), text_of(d.after, d.error_after),
-          number(d.percent(), "{:+.3g} %"), d.exceeds()};
+  const NamedScalar difference = spoken_figure(d, d.difference(), NumberDifference::kUnknown);
+  return {words_of(d.name),
+          text_of(d.before, d.error_before),
+          text_of(d.after, d.error_after),
+          with_unit(number(difference.value, "{:+.3g}"), difference),
+          number(d.percent(), "{:+.3g} %"),
+          d.exceeds()};
 }
 
 std::string errors_line(const ResultDiff& diff) {
@@ -239,9 +247,10 @@ std::string errors_line(const ResultDiff& diff) {
   const auto exceeds = [&](std::size_t i) { return diff.numbers[i].exceeds(); };
   if (std::ranges::none_of(diff.figures, has_error))
     return "errors of the mesh are not known (run --error finds them), so no change is marked";
-  return std::ranges::any_of(diff.figures, exceeds)
-             ? "* marks a change larger than the errors (of solver and mesh) of both results"
-             : "no change is larger than the errors (of solver and mesh) of both results";
+  return std::string(std::ranges::any_of(diff.figures, exceeds)
+                         ? "* marks a change larger than the errors (of solver and mesh) of both results"
+                         : "no change is larger than the errors (of solver and mesh) of both results") +
+         "; smaller ones may be real, too, because errors of like meshes are alike";
 }
 
 std::string diff_text(const ResultDiff& diff, bool all) {

@@ -11,7 +11,7 @@ std::vector<std::string> input_changes(const ResultDiff& diff, std::size_t most 
 struct FigureChange {
   std::string name;           // such as "headline height"
   std::string before, after;  // "1.98 ± 0.06 m"
-  std::string percent;
+  std::string difference, percent;
   bool exceeds = false;  // the change is larger than the errors of both results
 };
 FigureChange figure_change(const NumberDifference& difference);

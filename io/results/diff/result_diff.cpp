@@ -165,6 +165,12 @@ bool is_figure(const std::string& name) {
          (name.starts_with("gear/") && !principal_name(name.substr(5)).empty());
 }
 
+/// The share of a difference; or, if that is within its errors, its fraction of them, so that noise comes
+/// last.
+double weight_of(const NumberDifference& d) {
+  return std::isfinite(d.error()) && !d.exceeds() ? std::abs(d.difference()) / d.error() : d.share();
+}
+
 std::vector<std::size_t> changed_figures(const std::vector<NumberDifference>& numbers,
                                          const std::set<std::string>& keys) {
   std::vector<std::size_t> figures;
@@ -172,7 +178,7 @@ std::vector<std::size_t> changed_figures(const std::vector<NumberDifference>& nu
     if (is_figure(numbers[i].name) && numbers[i].is_changed()) figures.push_back(i);
   const auto rank = [&](std::size_t i) {
     const auto& d = numbers[i];
-    return std::tuple(!d.exceeds(), !keys.contains(d.name), -d.share());
+    return std::tuple(d.is_exact(), !d.exceeds(), !keys.contains(d.name), -weight_of(d));
   };
   std::ranges::stable_sort(figures, {}, rank);
   return figures;
@@ -198,6 +204,11 @@ double NumberDifference::percent() const {
 double NumberDifference::share() const {
   const double larger = std::fmax(std::abs(before), std::abs(after));
   return larger > 0 && std::isfinite(difference()) ? std::abs(difference()) / larger : 1;
+}
+
+bool NumberDifference::is_exact() const {
+  constexpr double kExact = 1e-9;  // an error below this fraction of the number is rounding
+  return error() <= kExact * std::fmax(std::abs(before), std::abs(after));
 }
 
 bool NumberDifference::is_changed() const {

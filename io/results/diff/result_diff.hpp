@@ -26,6 +26,8 @@ struct NumberDifference {
   double percent() const;
   /// The difference relative to the larger of the two values; 1 if only one result has the number.
   double share() const;
+  /// Whether both values are known exactly, without a solver or a mesh.
+  bool is_exact() const;
   /// Whether the difference exceeds round-off.
   bool is_changed() const;
   /// Whether the difference exceeds error(); false if that is not known.
@@ -57,7 +59,8 @@ struct ResultDiff {
   Result before, after;
   std::vector<NumberDifference> numbers;  // sorted by name; unchanged ones are included
   // Indices in `numbers` of those that a report shows first and that changed: first those that exceed their
-  // errors, then the key figures (key_figures.hpp), then others, each group by its largest share().
+  // errors, then the key figures (key_figures.hpp), then others, each group by its largest share(). Figures
+  // without any error follow, such as a weight: they follow from the input alone.
   std::vector<std::size_t> figures;
   InputDifferences inputs;
   std::optional<NodeMove> move;  // nullopt: not compared

@@ -1,16 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/figures/key_figures.hpp"
 
+#include <cmath>
 #include <string_view>
 
 namespace netloft::results {
+
+namespace {
+
+/// Whether a figure is not all error.
+bool is_known(const NamedScalar& figure) {
+  return !(figure.solver_error + figure.mesh_error >= std::abs(figure.value));
+}
+
+}  // namespace
 
 std::vector<const NamedScalar*> key_figures(const Result& result) {
   constexpr std::size_t kMost = 9;
   std::vector<const NamedScalar*> keys;
   const auto add = [&](std::string_view group, std::string_view what) {
     for (const auto& figure : result.figures)
-      if (figure.name.starts_with(group) && figure.name.ends_with(what)) keys.push_back(&figure);
+      if (figure.name.starts_with(group) && figure.name.ends_with(what) && is_known(figure))
+        keys.push_back(&figure);
   };
   for (const auto* what : {"headline_height", "upper_wing_spread", "lower_wing_spread", "area"})
     add("mouth/", what);

@@ -137,7 +137,7 @@ void add_bodies(const std::vector<NamedScalar>& figures, std::vector<FigureTable
              {"lift [N]", body, "/lift"},
              {"drag [N]", body, "/drag"},
              {"outward [N]", body, "/outward"}},
-            tables);
+            tables, true);
   add_table(
       figures, "forces on bodies [N]",
       {{"aft", "body_forces/", "/x"}, {"outward", "body_forces/", "/out"}, {"up", "body_forces/", "/z"}},
@@ -146,10 +146,10 @@ void add_bodies(const std::vector<NamedScalar>& figures, std::vector<FigureTable
 
 void add_warps(const std::vector<NamedScalar>& figures, std::vector<FigureTable>& tables) {
   add_table(figures, "warps",
-            {{"length [m]", "warps/", "/length", "{:.4f}"},
-             {"down, start", "warps/", "/down_at_start", "{:.2f}°", false, formats::kDegreesPerRadian},
-             {"out, start", "warps/", "/out_at_start", "{:.2f}°", false, formats::kDegreesPerRadian},
-             {"up, end", "warps/", "/up_at_end", "{:.2f}°", false, formats::kDegreesPerRadian}},
+            {{"length [m]", "warps/", "/length", "{:.6g}"},
+             {"down [°]", "warps/", "/down_at_start", "{:.2f}", false, formats::kDegreesPerRadian},
+             {"out [°]", "warps/", "/out_at_start", "{:.2f}", false, formats::kDegreesPerRadian},
+             {"up, end [°]", "warps/", "/up_at_end", "{:.2f}", false, formats::kDegreesPerRadian}},
             tables, true);
   add_table(figures, "warps at the block",
             {{"tension [N]", "warps/", "/tension"}, {"out [m/s]", "warps/", "/paying_out", "{:.3f}"}},

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/results/figures/merged_scene.hpp"
 #include "io/results/text/motion_text.hpp"
 #include "io/results/text/result_text.hpp"
 
@@ -144,6 +145,12 @@ Json materials_json(const std::vector<Material>& materials) {
   return all;
 }
 
+Json conditions_json(const Result& result) {
+  Json all = Json::object();
+  for (const auto& one : conditions_of(result)) all[one.name] = one.value;
+  return all;
+}
+
 Json netting_json(const std::vector<scenes::NettingSheet>& netting) {
   Json all = Json::array();
   for (const auto& sheet : netting)
@@ -209,6 +216,7 @@ std::string result_json(const Result& r) {
                {"gear", gear_json(r)},
                {"materials", materials_json(r.materials)},
                {"netting", netting_json(r.netting)},
+               {"conditions", conditions_json(r)},
                {"part_forces", part_forces_json(r.part_forces)},
                {"hold_forces", hold_forces_json(r.hold_forces)},
                {"balance", r.balance}};

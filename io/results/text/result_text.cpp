@@ -2,6 +2,7 @@
 #include "io/results/text/result_text.hpp"
 
 #include "framework/search/variants.hpp"
+#include "io/results/figures/merged_scene.hpp"
 #include "io/results/text/motion_text.hpp"
 #include "io/results/text/result_tables.hpp"
 
@@ -40,6 +41,9 @@ void shapes_text(const FoundShapes& shapes, Out out) {
 void head_text(const Result& result, Out out) {
   fmt::format_to(out, "{}: {}\n", result.title, ending_text(result));
   if (!result.sentence.empty()) fmt::format_to(out, "  {}\n", result.sentence);
+  const auto conditions = conditions_of(result);
+  if (const std::string line = conditions_line(conditions); !line.empty())
+    fmt::format_to(out, "  at {}\n", line);
   for (const auto* sentences : {&result.diagnostics, &result.notes})
     for (const auto& sentence : *sentences) fmt::format_to(out, "  {}\n", sentence);
   for (const auto& warning : result.warnings) fmt::format_to(out, "  warning: {}\n", warning);
@@ -110,11 +114,17 @@ std::string ending_text(const Result& result) {
   return "unstable equilibrium" + (result.stability == "unstable" ? "" : ", " + result.stability);
 }
 
-std::string errors_text(const Result& result) {
+std::string short_errors_text(const Result& result) {
   if (result.scalars.empty() && result.figures.empty()) return "";
   if (result.motion) return "errors of these numbers are not known";
   if (result.mesh_note.empty()) return "errors of the mesh are not known: run --error finds them";
-  return "± is the error of solver and mesh together; that of the mesh " + result.mesh_note;
+  return "± is the error of solver and mesh together";
+}
+
+std::string errors_text(const Result& result) {
+  const std::string text = short_errors_text(result);
+  const bool has_meshes = !text.empty() && !result.motion && !result.mesh_note.empty();
+  return has_meshes ? text + "; that of the mesh " + result.mesh_note : text;
 }
 
 std::string result_text(const Result& result) {

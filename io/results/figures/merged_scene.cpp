@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/results/figures/merged_scene.hpp"
+
+#include "io/formats/toml/document.hpp"
+#include "io/formats/toml/spelled_value.hpp"
+
+#include <string_view>
+
+namespace netloft::results {
+
+namespace {
+
+std::vector<std::string> overrides_of(const std::vector<std::string>& command) {
+  const std::string option = "--set";
+  std::vector<std::string> overrides;
+  for (std::size_t i = 0; i < command.size(); ++i) {
+    if (command[i] == option && i + 1 < command.size()) overrides.push_back(command[i + 1]);
+    if (command[i].starts_with(option + "=")) overrides.push_back(command[i].substr(option.size() + 1));
+  }
+  return overrides;
+}
+
+/// The value at a path of keys; nullptr if there is none.
+const formats::Value* find(const formats::Value& root, std::initializer_list<std::string_view> path) {
+  const formats::Value* at = &root;
+  for (const auto key : path) {
+    const auto* table = at->as<formats::Table>();
+    const auto* member = table ? table->find(key) : nullptr;
+    if (!member) return nullptr;
+    at = &member->value;
+  }
+  return at;
+}
+
+constexpr const char *kTitle = "gear", *kSource = "source";
+
+}  // namespace
+
+std::optional<formats::Value> merged_scene(const Origins& origins, std::set<std::string>& paths) {
+  if (origins.files.empty()) return std::nullopt;
+  std::vector<formats::SourceFile> files;
+  for (const auto& file : origins.files) files.push_back({file.path, file.text, file.hash});
+  formats::Diagnostics unheard;
+  auto document = formats::Document::recall(std::move(files), overrides_of(origins.command), unheard);
+  if (unheard.errors()) return std::nullopt;
+  for (const auto& file : document.files()) paths.insert(file.path);
+  return document.root();
+}
+
+std::vector<Condition> conditions_of(const Result& result) {
+  std::set<std::string> unused;
+  const auto scene = result.gear ? merged_scene(result.origins, unused) : std::nullopt;
+  std::vector<Condition> all;
+  if (!scene) return all;
+  const auto add = [&](const char* name, std::initializer_list<std::string_view> path) {
+    const formats::Value* value = find(*scene, path);
+    if (!value || value->as<formats::Table>()) return;
+    const auto* text = value->as<std::string>();
+    all.push_back({name, text ? *text : spell_value(*value)});
+  };
+  add(kTitle, {"gear", "title"});
+  add(kSource, {"gear", "source"});
+  add("speed of the ship", {"ship", "speed"});
+  add("speed of the tow", {"tow", "speed"});
+  add("current", {"water", "current"});
+  add("depth", {"bed", "depth"});
+  add("warp", {"ship", "warp", "length"});
+  return all;
+}
+
+std::string conditions_line(const std::vector<Condition>& conditions) {
+  std::string line;
+  for (const auto& one : conditions)
+    if (one.name != kTitle && one.name != kSource)
+      line += (line.empty() ? "" : ", ") + one.name + " " + one.value;
+  return line;
+}
+
+}  // namespace netloft::results

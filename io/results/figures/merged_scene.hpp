@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/formats/toml/value.hpp"
+#include "io/results/figures/result.hpp"
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace netloft::results {
+
+/// The scene of a result as one table, with its includes and the `--set` options of its command line. No file
+/// is opened. nullopt unless the result has the texts of all of its files, whose paths are added to `paths`.
+std::optional<formats::Value> merged_scene(const Origins& origins, std::set<std::string>& paths);
+
+/// A setting of the scene under which the figures of a gear hold.
+struct Condition {
+  std::string name, value;  // "depth", "66 m"
+};
+
+/// Title and source of the gear, its speed, the current, the depth and the length of warp, as the scene
+/// states them. Empty for a result without a net plan.
+std::vector<Condition> conditions_of(const Result& result);
+
+/// The conditions after the title and the source in one line: "speed of the ship 3 kn, depth 66 m".
+std::string conditions_line(const std::vector<Condition>& conditions);
+
+}  // namespace netloft::results
