@@ -126,8 +126,8 @@ Value parse_value(const std::string& text, const Place& place) {
 /// Walks from the root of a document along the steps of a path.
 class Walk {
  public:
-  Walk(Value& root, std::string path, const Place& place, Diagnostics& diagnostics)
-      : at_(&root), path_(std::move(path)), place_(place), diagnostics_(diagnostics) {}
+  Walk(Value& root, std::string path, const Place& place, const NamingKeys& naming, Diagnostics& diagnostics)
+      : at_(&root), path_(std::move(path)), place_(place), naming_(naming), diagnostics_(diagnostics) {}
 
   /// The value at the end of the steps. nullptr if a step is impossible, which is reported.
   Value* end() const { return at_; }
@@ -143,7 +143,17 @@ class Walk {
     at_ = nullptr;
   }
 
+  /// Replaces a text that is short for a table by this table.
+  void write_out() {
+    const bool names_a_table = at_->as<std::string>() && std::find(naming_.keys.begin(), naming_.keys.end(),
+                                                                   key_) != naming_.keys.end();
+    if (!names_a_table) return;
+    Value name = *at_;
+    at_->data = Table{{{naming_.name, name.place, name}}};
+  }
+
   void go_to_key(const std::string& key) {
+    write_out();
     Table* table = at_->as<Table>();
     if (!table)
       return stop(walked_ + " is not a table, so " + path_ + " cannot be set",
@@ -151,6 +161,7 @@ class Walk {
                                          "=[...], or one of its items: " + walked_ + "[0]=..."
                                    : "");
     walked_ = join_path(walked_, key);
+    key_ = key;
     if (!table->find(key)) table->members.push_back({key, place_, Value{place_, Table{}}});
     at_ = &table->find(key)->value;
   }
@@ -166,12 +177,14 @@ class Walk {
           walked_ + " has " + std::to_string(array->items.size()) + " items, so there is no " + itself,
           "items count from 0");
     walked_ = itself;
+    key_.clear();
     at_ = &array->items[item];
   }
 
   Value* at_;
-  std::string path_, walked_;
+  std::string path_, walked_, key_;  // key_: the last key of the path so far
   Place place_;
+  const NamingKeys& naming_;
   Diagnostics& diagnostics_;
 };
 
@@ -232,13 +245,13 @@ bool undoes(const Change& change, const Change& earlier) {
          spell_value(change.value) != spell_value(earlier.value);
 }
 
-void apply(Value& root, const Change& change, Diagnostics& diagnostics) {
+void apply(Value& root, const Change& change, Diagnostics& diagnostics, const NamingKeys& naming) {
   const int file =
       diagnostics.add_source(change.path.empty() ? change.option : change.option + " " + change.path,
                              change.text, Diagnostics::Source::command_line);
   const Place path_place{file, 1, 1, length_of(change.path)};
   if (!change.fault.empty()) return diagnostics.error(path_place, change.fault, change.hint);
-  Walk walk(root, change.path, path_place, diagnostics);
+  Walk walk(root, change.path, path_place, naming, diagnostics);
   for (const PathStep& step : change.steps) walk.go(step);
   if (!walk.end()) return;
   *walk.end() = change.value;

@@ -44,8 +44,17 @@ Change make_change(std::initializer_list<std::string_view> keys, Value value);
 /// that contains it.
 bool undoes(const Change& change, const Change& earlier);
 
+/// Keys whose value is a table, or a text that names a table elsewhere. The text is short for a table with
+/// one key: with `twine` among the keys and "part" as `name`, twine = "pe-4mm" means twine = { part =
+/// "pe-4mm" }.
+struct NamingKeys {
+  std::vector<std::string> keys = {};
+  std::string name = {};  // key of the text in the table
+};
+
 /// Applies a change to a document. Reports a fault of the change, and a path that does not fit the document.
-void apply(Value& root, const Change& change, Diagnostics& diagnostics);
+/// A change below a text that `naming` knows to be short for a table writes the table out.
+void apply(Value& root, const Change& change, Diagnostics& diagnostics, const NamingKeys& naming = {});
 
 inline void append(std::vector<Change>& all, const std::vector<Change>& more) {
   all.insert(all.end(), more.begin(), more.end());

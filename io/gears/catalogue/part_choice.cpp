@@ -55,6 +55,11 @@ bool names_a_part(const formats::Value& said) {
   return said.kind() == formats::Kind::text || (table && table->find(kPart));
 }
 
+const formats::NamingKeys& keys_that_name_parts() {
+  static const formats::NamingKeys keys = {part_keys(), kPart};
+  return keys;
+}
+
 const CataloguePart* choose_part(const formats::Value& said, const std::vector<std::string>& kinds,
                                  const std::string& path, const Catalogue& catalogue,
                                  formats::Diagnostics& diagnostics) {

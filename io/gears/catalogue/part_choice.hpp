@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/formats/toml/change.hpp"
 #include "io/formats/toml/value.hpp"
 #include "io/gears/catalogue/catalogue.hpp"
 
@@ -11,6 +12,10 @@ namespace netloft::gears {
 /// Whether the value of `twine`, `rope` or `float` names a part of the catalogue: "pe-braided-4mm", or { part
 /// = "pe-braided-4mm", diameter = "4.2 mm" }, where the other keys override those of the part.
 bool names_a_part(const formats::Value& said);
+
+/// The keys whose text names a part: `--set twine.EA=4` makes { part = "pe-braided-4mm", EA = 4 } of
+/// "pe-braided-4mm".
+const formats::NamingKeys& keys_that_name_parts();
 
 /// The part of one of `kinds` that `said` names. If there is none, the result is nullptr, and an error that
 /// lists similar names is reported. `path` is the key of `said`, for messages.

@@ -5,6 +5,7 @@
 #include "io/formats/units/in_quotes.hpp"
 #include "io/formats/work/long_work.hpp"
 #include "io/gears/catalogue/folders.hpp"
+#include "io/gears/catalogue/part_choice.hpp"
 #include "io/gears/plan/outline.hpp"
 #include "io/gears/plan/plan_reader.hpp"
 
@@ -150,19 +151,28 @@ const T* find_named(const std::vector<T>& all, const std::string& name, formats:
 
 namespace {
 
-NetPlan read_document(const formats::Document& document, const Catalogue& catalogue,
-                      formats::Diagnostics& diagnostics) {
-  NetPlan plan = PlanReader(document.root(), catalogue, diagnostics).read();
-  plan.files = document.files();
-  plan.files.insert(plan.files.end(), catalogue.files().begin(), catalogue.files().end());
+std::vector<formats::SourceFile> joined(std::vector<formats::SourceFile> files,
+                                        const std::vector<formats::SourceFile>& more) {
+  files.insert(files.end(), more.begin(), more.end());
+  return files;
+}
+
+/// Adds the catalogue of the user, of the library, and of the folders that the document names.
+std::optional<PlanDocument> with_catalogue(formats::Value root, const std::vector<formats::SourceFile>& files,
+                                           const std::filesystem::path& folder,
+                                           formats::Diagnostics& diagnostics) {
+  if (diagnostics.errors()) return std::nullopt;
+  const auto own = named_folders(root, folder, diagnostics);
+  PlanDocument plan{std::move(root), Catalogue::load(catalogue_folders(diagnostics, own), diagnostics), {}};
+  plan.files = joined(files, plan.catalogue.files());
   return plan;
 }
 
-/// The catalogue of the user, of the library, and of the folders that the document names.
-Catalogue catalogue_of(const formats::Document& document, const std::filesystem::path& folder,
-                       formats::Diagnostics& diagnostics) {
-  const auto own = named_folders(document.root(), folder, diagnostics);
-  return Catalogue::load(catalogue_folders(diagnostics, own), diagnostics);
+NetPlan read_document(const std::optional<PlanDocument>& document, formats::Diagnostics& diagnostics) {
+  if (!document) return {};
+  NetPlan plan = PlanReader(document->root, document->catalogue, diagnostics).read();
+  plan.files = document->files;
+  return plan;
 }
 
 void drop(formats::Value& value, std::span<const char* const> keys) {
@@ -174,12 +184,26 @@ void drop(formats::Value& value, std::span<const char* const> keys) {
 
 }  // namespace
 
+std::optional<PlanDocument> PlanDocument::load(const std::filesystem::path& file,
+                                               const std::vector<std::string>& overrides,
+                                               formats::Diagnostics& diagnostics) {
+  const formats::Document document = formats::Document::load(file, {}, diagnostics);
+  formats::Value root = document.root();
+  for (const auto& change : formats::read_changes(overrides))
+    formats::apply(root, change, diagnostics, keys_that_name_parts());
+  return with_catalogue(std::move(root), document.files(), file.parent_path(), diagnostics);
+}
+
+std::optional<PlanDocument> PlanDocument::parse(const std::string& text, const std::string& name,
+                                                formats::Diagnostics& diagnostics) {
+  const formats::Document document = formats::Document::parse(text, name, {}, diagnostics);
+  return with_catalogue(document.root(), document.files(), {}, diagnostics);
+}
+
 NetPlan read_plan(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                   formats::Diagnostics& diagnostics) {
   const formats::LongWork reading({"reading", file.native()});
-  const formats::Document document = formats::Document::load(file, overrides, diagnostics);
-  if (diagnostics.errors()) return {};
-  return read_document(document, catalogue_of(document, file.parent_path(), diagnostics), diagnostics);
+  return read_document(PlanDocument::load(file, overrides, diagnostics), diagnostics);
 }
 
 bool holds_plan(const formats::Value& root) {
@@ -202,16 +226,16 @@ NetPlan read_plan(const formats::Value& tables, const Catalogue& catalogue,
 }
 
 NetPlan read_plan_text(const std::string& text, const std::string& name, formats::Diagnostics& diagnostics) {
-  const formats::Document document = formats::Document::parse(text, name, {}, diagnostics);
-  if (diagnostics.errors()) return {};
-  return read_document(document, catalogue_of(document, {}, diagnostics), diagnostics);
+  return read_document(PlanDocument::parse(text, name, diagnostics), diagnostics);
 }
 
 NetPlan read_plan_text(const std::string& text, const std::string& name, const Catalogue& catalogue,
                        formats::Diagnostics& diagnostics) {
   const formats::Document document = formats::Document::parse(text, name, {}, diagnostics);
   if (diagnostics.errors()) return {};
-  return read_document(document, catalogue, diagnostics);
+  NetPlan plan = PlanReader(document.root(), catalogue, diagnostics).read();
+  plan.files = joined(document.files(), catalogue.files());
+  return plan;
 }
 
 const Panel* NetPlan::find_panel(const std::string& name) const {

@@ -7,6 +7,22 @@
 
 namespace netloft::gears {
 
+/// The tables of a plan, and the parts that it may name.
+struct PlanDocument {
+  formats::Value root;
+  Catalogue catalogue;
+  std::vector<formats::SourceFile> files;  // those of the document, and those of the catalogue
+
+  /// Reads a file with all its includes, with `overrides` ("path=value") applied, and the catalogues; nullopt
+  /// if there is an error in the file or in the overrides.
+  static std::optional<PlanDocument> load(const std::filesystem::path& file,
+                                          const std::vector<std::string>& overrides,
+                                          formats::Diagnostics& diagnostics);
+  /// Reads a text in memory.
+  static std::optional<PlanDocument> parse(const std::string& text, const std::string& name,
+                                           formats::Diagnostics& diagnostics);
+};
+
 /// Reads a gear with all its includes, with `overrides` ("path=value") applied, and the catalogues with the
 /// parts that it names. All errors in the text go to the diagnostics with their places; check.hpp checks
 /// whether the net can be sewn. After an error the plan contains whatever could be read.

@@ -2,7 +2,9 @@
 #include "io/scenes/reading/scene_source.hpp"
 
 #include "io/formats/work/long_work.hpp"
+#include "io/gears/catalogue/part_choice.hpp"
 #include "io/gears/meshing/division.hpp"
+
 #include "io/gears/meshing/recent.hpp"
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/read_plan.hpp"
@@ -216,7 +218,8 @@ class SceneSource::Memory {
     if (!document_) document_ = formats::Document::load(file_, {}, said_);
     formats::Value root = document_->root();
     if (const int first = diagnostics.append(said_); first != 0) formats::shift_files(root, first);
-    for (const formats::Change& change : changes) formats::apply(root, change, diagnostics);
+    for (const formats::Change& change : changes)
+      formats::apply(root, change, diagnostics, gears::keys_that_name_parts());
     return root;
   }
 

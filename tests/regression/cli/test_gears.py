@@ -71,6 +71,18 @@ class Gears(InFreshFolder):
         self.assertEqual(run.code, 0)
         self.assertNotIn("top-wing.aft", run.err)
 
+    def test_a_value_of_a_part_that_is_named_can_be_set(self):
+        page = (SOURCE / "io/gears/GEAR.md").read_text()
+        for name, plan in re.findall(r"^```toml (\S+)\n(.*?)^```", page, re.DOTALL | re.MULTILINE):
+            self.write(name, plan)
+        self.assertIn('board = "flat-1.0x2.0"', self.files()["with-boards.toml"].decode())
+        self.assertEqual(self.netloft("check", "with-boards.toml", "--set", "bodies.door.board.lift=0.9").code, 0)
+        run = self.netloft("check", "with-boards.toml", "--set", "bodies.door.board.lift=-9")
+        self.assertEqual(run.code, 2)
+        self.assertIn("--set bodies.door.board.lift: error: bodies.door.board.lift = -9 is outside", run.err)
+        run = self.netloft("check", "with-boards.toml", "--set", "panels.upper.twine.diameter=40 mm")
+        self.assertIn("twines of 40 mm leave no opening in meshes of 60 mm", run.err)
+
     def test_a_changed_gear_is_three_lines(self):
         self.write("eastern.toml", EASTERN)
         self.write("fewer.toml", 'include = ["eastern.toml"]\n[floats.headline]\nspread = "42 along headrope"\n')

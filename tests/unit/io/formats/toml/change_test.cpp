@@ -37,6 +37,26 @@ TEST(Change, ReachesIntoTheTablesOfAnArray) {
   EXPECT_EQ(in.reader.tables("hold")[0].rows("at", {.unit = "m"}),
             (std::vector<std::vector<double>>{{1, 2, 7}}));
 }
+/// A document with `twine = "pe"`, in which twine.EA was set.
+Value with_overridden_part(const std::string& change, Diagnostics& diagnostics) {
+  Value root = Document::parse("[net]\ntwine = \"pe\"\ntitle = \"pe\"\n", "net.toml", {}, diagnostics).root();
+  apply(root, read_change(change), diagnostics, {{"rope", "twine"}, "part"});
+  return root;
+}
+
+TEST(Change, WritesOutATextThatIsShortForATable) {
+  Diagnostics diagnostics;
+  const Value root = with_overridden_part("net.twine.EA=3 kN", diagnostics);
+  EXPECT_EQ(spell_value(root), "{net = {twine = {part = \"pe\", EA = \"3 kN\"}, title = \"pe\"}}");
+  EXPECT_EQ(diagnostics.errors(), 0);
+  const Table* twine = root.as<Table>()->find("net")->value.as<Table>()->find("twine")->value.as<Table>();
+  EXPECT_EQ(twine->find("part")->value.place.line, 2) << "the name keeps its place in the file";
+}
+TEST(Change, LeavesOtherTextsAsTheyAre) {
+  Diagnostics diagnostics;
+  with_overridden_part("net.title.EA=3", diagnostics);
+  EXPECT_EQ(diagnostics.sorted().at(0).message, "net.title is not a table, so net.title.EA cannot be set");
+}
 TEST(Change, RefusesItemsThatAreNotThere) {
   EXPECT_EQ(Input(kScene, {"parts.net.cells[2]=1"}).error(),
             "1:1: parts.net.cells has 2 items, so there is no parts.net.cells[2]");
