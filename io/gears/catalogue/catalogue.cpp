@@ -25,6 +25,27 @@ FileHead read_head(formats::TableReader& root) {
           root.text("uncertainty", {.doc = "uncertainty of the numbers", .fallback = ""})};
 }
 
+/// Reads `synonyms = [["pa", "nylon"], …]`.
+std::vector<std::vector<std::string>> read_synonyms(formats::TableReader& root) {
+  std::vector<std::vector<std::string>> groups;
+  const formats::Value* said = root.raw("synonyms");
+  const formats::Array* array = said ? said->as<formats::Array>() : nullptr;
+  bool is_sound = !said || array;
+  for (std::size_t i = 0; array && i < array->items.size(); ++i) {
+    const formats::Array* words = array->items[i].as<formats::Array>();
+    is_sound = is_sound && words;
+    groups.emplace_back();
+    for (std::size_t k = 0; words && k < words->items.size(); ++k) {
+      const std::string* word = words->items[k].as<std::string>();
+      is_sound = is_sound && word;
+      if (word) groups.back().push_back(*word);
+    }
+  }
+  if (!is_sound)
+    root.error("synonyms", "is not an array of groups of words", "such as [[\"pa\", \"nylon\"]]");
+  return groups;
+}
+
 std::string read_own_or_head(formats::TableReader& table, const char* key, const char* doc,
                              const std::string& head) {
   return head.empty() ? table.text(key, {.doc = doc}) : table.text(key, {.doc = doc, .fallback = head});
@@ -142,6 +163,8 @@ void Catalogue::read_file(const std::filesystem::path& file, std::size_t first_o
   files_.insert(files_.end(), document.files().begin(), document.files().end());
   formats::TableReader root(document.root(), diagnostics);
   const FileHead head = read_head(root);
+  const auto synonyms = read_synonyms(root);
+  synonyms_.insert(synonyms_.end(), synonyms.begin(), synonyms.end());
   for (const auto& kind : part_kinds()) {
     formats::TableReader tables = root.table(kind.name, formats::Presence::optional);
     for (const auto& name : tables.keys()) {

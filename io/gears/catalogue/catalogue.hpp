@@ -33,7 +33,8 @@ struct CataloguePart {
 ///
 /// A folder holds any number of .toml files with tables `[KIND.NAME]`. `source` and `uncertainty` may be
 /// given once at the head of a file, for all of its parts. If two folders have a part of the same kind and
-/// name, the first folder has priority.
+/// name, the first folder has priority. A file may also have `synonyms`, groups of words that mean one
+/// material, for proposals of names.
 class Catalogue {
  public:
   /// Folders that do not exist are skipped. Errors are put into the diagnostics with their places.
@@ -49,6 +50,8 @@ class Catalogue {
   const CataloguePart* find(const std::string& name, const std::vector<std::string>& kinds) const;
   /// The parts in the order in which they were read.
   const std::vector<CataloguePart>& parts() const { return parts_; }
+  /// Groups of words that mean the same in the names of parts, in lower case.
+  const std::vector<std::vector<std::string>>& synonyms() const { return synonyms_; }
   const std::vector<formats::SourceFile>& files() const { return files_; }
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
 
@@ -60,6 +63,7 @@ class Catalogue {
            formats::Diagnostics& diagnostics);
 
   std::vector<CataloguePart> parts_;
+  std::vector<std::vector<std::string>> synonyms_;
   std::vector<formats::SourceFile> files_;
   std::vector<std::filesystem::path> folders_;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/catalogue/part_choice.hpp"
 
-#include "framework/parameters/nearest.hpp"
 #include "io/formats/toml/merge.hpp"
+#include "io/gears/catalogue/similar_names.hpp"
 
 #include <algorithm>
 
@@ -34,18 +34,20 @@ std::string where_it_was_sought(const Catalogue& catalogue) {
                       : "looked for in " + text + "; `netloft catalogue` lists what there is";
 }
 
-std::vector<std::string> names_of(const Catalogue& catalogue, const std::vector<std::string>& kinds) {
-  std::vector<std::string> names;
-  for (const auto& part : catalogue.parts())
-    if (std::find(kinds.begin(), kinds.end(), part.kind->name) != kinds.end()) names.push_back(part.name);
-  return names;
+bool is_of(const CataloguePart& part, const std::vector<std::string>& kinds) {
+  return std::find(kinds.begin(), kinds.end(), part.kind->name) != kinds.end();
 }
 
 std::string cure(const std::string& name, const std::vector<std::string>& kinds, const Catalogue& catalogue) {
   for (const auto& part : catalogue.parts())
     if (part.name == name) return "\"" + name + "\" is a " + part.kind->name;
-  const auto near = nearest(name, names_of(catalogue, kinds));
-  return near ? "did you mean \"" + *near + "\"?" : where_it_was_sought(catalogue);
+  std::vector<const CataloguePart*> parts;
+  for (const auto& part : catalogue.parts())
+    if (is_of(part, kinds)) parts.push_back(&part);
+  std::vector<std::string> near;
+  for (const auto& meant : similar_names(name, parts, catalogue.synonyms()))
+    near.push_back("\"" + meant + "\"");
+  return near.empty() ? where_it_was_sought(catalogue) : "did you mean " + listed(near) + "?";
 }
 
 }  // namespace
