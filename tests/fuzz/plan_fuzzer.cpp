@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nonsense for everything that works on a net plan: each input is read, checked, drawn and made a gear of.
+// Nonsense for everything that works on a net plan: each input is read, checked, cured, drawn and made a gear
+// of.
 #include "io/gears/drawing/drawing.hpp"
 #include "io/gears/meshing/division.hpp"
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/gear.hpp"
 #include "io/gears/plan/read_plan.hpp"
+#include "io/gears/plan/tried_cures.hpp"
 #include "tests/folders.hpp"
 
 #include <cstdint>
@@ -41,9 +43,13 @@ void try_gear(const gears::NetPlan& plan, gears::Extent extent) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   formats::Diagnostics diagnostics;
-  gears::NetPlan plan =
-      read_plan_text({reinterpret_cast<const char*>(data), size}, "plan.toml", catalogue(), diagnostics);
+  const auto document =
+      formats::Document::parse({reinterpret_cast<const char*>(data), size}, "plan.toml", {}, diagnostics);
+  use(diagnostics.render(false).size());
+  if (diagnostics.errors()) return 0;
+  gears::NetPlan plan = gears::read_plan(document.root(), catalogue(), diagnostics);
   if (diagnostics.errors() == 0) gears::check_plan(plan, diagnostics);
+  gears::try_cures(document.root(), catalogue(), diagnostics, {.most = 12});
   if (diagnostics.errors() == 0) gears::check_seams(plan, diagnostics);
   use(diagnostics.render(false).size());
   if (diagnostics.errors()) return 0;

@@ -36,12 +36,13 @@ int Diagnostics::add_source(std::string name, std::string text, Source kind) {
   return static_cast<int>(sources_.size()) - 1;
 }
 
-void Diagnostics::error(const Place& place, std::string message, std::string hint) {
-  add({Severity::error, place, std::move(message), std::move(hint)});
+void Diagnostics::error(const Place& place, std::string message, std::string hint, std::vector<Cure> cures) {
+  add({Severity::error, place, std::move(message), std::move(hint), std::move(cures)});
 }
 
-void Diagnostics::warning(const Place& place, std::string message, std::string hint) {
-  add({Severity::warning, place, std::move(message), std::move(hint)});
+void Diagnostics::warning(const Place& place, std::string message, std::string hint,
+                          std::vector<Cure> cures) {
+  add({Severity::warning, place, std::move(message), std::move(hint), std::move(cures)});
 }
 
 void Diagnostics::add(Diagnostic entry) {

@@ -20,11 +20,20 @@ struct Place {
 
 enum class Severity { error, warning };
 
+/// A proposal that may remove a message: new values of keys, each as the argument of `--set`.
+struct Cure {
+  std::vector<std::string> changes;  // such as "panels.bag.aft=20"
+  std::string note = {};             // condition of the proposal, which follows its values; may be empty
+};
+
 struct Diagnostic {
   Severity severity = Severity::error;
   Place place;
   std::string message;
   std::string hint;  // the cure; may be empty
+  /// Proposals, the likeliest first. They are not part of the hint before somebody has tried them.
+  std::vector<Cure> cures = {};
+  std::vector<std::string> changes = {};  // values that the hint proposes first, which remove the message
 };
 
 /// Collects all errors of an input, so that they are reported together.
@@ -32,13 +41,14 @@ class Diagnostics {
  public:
   enum class Source { file, command_line };
   static constexpr std::size_t kMostShown = 100;
+  static constexpr std::size_t kMostCured = 20;
 
   /// Adds a source and returns its index. Messages are sorted by the order of sources: the root file comes
   /// first. Messages show only the name of a command line, without the line and column.
   int add_source(std::string name, std::string text, Source kind = Source::file);
 
-  void error(const Place& place, std::string message, std::string hint = {});
-  void warning(const Place& place, std::string message, std::string hint = {});
+  void error(const Place& place, std::string message, std::string hint = {}, std::vector<Cure> cures = {});
+  void warning(const Place& place, std::string message, std::string hint = {}, std::vector<Cure> cures = {});
 
   /// Adds the sources and messages of `other`. Returns the amount by which the indices of its sources
   /// increase.
@@ -54,6 +64,8 @@ class Diagnostics {
   /// Whether the next error is still among those that are shown. Otherwise no hint, which may take long to
   /// find, is needed.
   bool wants_hints() const { return errors_ < static_cast<int>(kMostShown); }
+  /// Whether proposals for the next message are still tried. If not, none needs to be made.
+  bool wants_cures() const { return entries_.size() < kMostCured; }
   int warnings() const { return static_cast<int>(entries_.size()) - errors_; }
 
   /// All messages, sorted by source, line and column.

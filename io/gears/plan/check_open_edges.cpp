@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/names.hpp"
+#include "io/gears/plan/proposals.hpp"
 
 #include <fmt/format.h>
 
@@ -43,6 +44,27 @@ class EdgeUses {
   std::map<std::string, Use> done_;
 };
 
+/// The proposal of other open edges of a panel.
+Cures cures_of_open(const Panel& panel, const std::vector<std::string>& names) {
+  formats::Array array;
+  for (const auto& name : names) array.items.push_back(as_text(name));
+  return {set(path_of({"panels", panel.name, "open"}), {{}, array})};
+}
+
+std::vector<std::string> without(const Panel& panel, const OpenEdge& edge) {
+  std::vector<std::string> names;
+  for (const auto& said : panel.open)
+    if (said.name != edge.name) names.push_back(said.name);
+  return names;
+}
+
+std::vector<std::string> with(const Panel& panel, const std::string& edge) {
+  std::vector<std::string> names;
+  for (const auto& said : panel.open) names.push_back(said.name);
+  names.push_back(edge);
+  return names;
+}
+
 /// The names of the edges that a panel declares open. Reports declared edges that are sewn or hung.
 std::set<std::string> said_open(const NetPlan& plan, const Panel& panel, const EdgeUses& uses,
                                 formats::Diagnostics& diagnostics) {
@@ -56,7 +78,7 @@ std::set<std::string> said_open(const NetPlan& plan, const Panel& panel, const E
         diagnostics.error(said.place,
                           fmt::format("{}: {} is declared open, but is {} at {}", path, name_of(panel, edge),
                                       use->word, diagnostics.where(use->place)),
-                          "leave one of them out");
+                          "leave one of them out", cures_of_open(panel, without(panel, said)));
     }
   }
   return open;
@@ -82,10 +104,9 @@ void check_open_edges(const NetPlan& plan, formats::Diagnostics& diagnostics) {
     for (const auto& edge : panel.outline.edges) {
       const std::string name = name_of(panel, edge);
       if (edge.kind == EdgeKind::middle || uses.find(name) || open.contains(name)) continue;
-      diagnostics.warning(
-          place_of(panel, edge), name + " is neither sewn nor hung: the net is open there",
-          fmt::format("sew it with [[join]], hang it with [[hang]], or declare it open: open = [\"{}\"]",
-                      edge.name));
+      diagnostics.warning(place_of(panel, edge), name + " is neither sewn nor hung: the net is open there",
+                          "sew it with [[join]], hang it with [[hang]], or declare it open",
+                          diagnostics.wants_cures() ? cures_of_open(panel, with(panel, edge.name)) : Cures{});
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/outline.hpp"
+#include "io/gears/plan/proposals.hpp"
 
 #include <fmt/format.h>
 
@@ -26,6 +27,7 @@ double misses_by(const Panel& panel) {
 /// A copy of the panel in which one cut has another rate.
 Panel with_rate(Panel panel, bool is_outer, std::size_t which, const std::string& rate) {
   auto& side = is_outer ? panel.outer : panel.inner;
+  side[which].written = rate;
   side[which].rate = *parse_rate(rate);
   side[which].is_known = true;
   settle(side, panel.depth);
@@ -49,8 +51,11 @@ std::string propose_rate(const Panel& panel, bool is_outer, std::size_t which) {
   return best;
 }
 
-void say_no_rate(const Panel& panel, const Cut& cut, const std::string& proposed, const Panel& mended,
-                 const Cut& meant, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
+/// `mended` is the panel with the proposed rate, which may be an empty text.
+void say_no_rate(const Panel& panel, bool is_outer, std::size_t which, const std::string& proposed,
+                 const Panel& mended, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
+  const Cut& cut = (is_outer ? panel.outer : panel.inner)[which];
+  const Cut& meant = (is_outer ? mended.outer : mended.inner)[which];
   const std::string said =
       fmt::format("{}.{}: cutting \"{}\" is not a rate", panel.name, cut.name, cut.written);
   if (proposed.empty()) return diagnostics.error(cut.place, said, kRates);
@@ -58,7 +63,7 @@ void say_no_rate(const Panel& panel, const Cut& cut, const std::string& proposed
   diagnostics.error(cut.place,
                     fmt::format("{}; {}, {} M over {} M, {}", said, proposed, in_meshes(meant.across),
                                 in_meshes(meant.deep), fits ? "fits" : "comes nearest"),
-                    kRates);
+                    kRates, cures_of_rate(panel, is_outer, which, {proposed}));
 }
 
 void mend_side(Panel& panel, bool is_outer, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
@@ -67,8 +72,7 @@ void mend_side(Panel& panel, bool is_outer, const CheckLimits& limits, formats::
     if (side[i].is_known) continue;
     const std::string proposed = propose_rate(panel, is_outer, i);
     const Panel mended = proposed.empty() ? panel : with_rate(panel, is_outer, i, proposed);
-    const Cut& meant = (is_outer ? mended.outer : mended.inner)[i];
-    say_no_rate(panel, side[i], proposed, mended, meant, limits, diagnostics);
+    say_no_rate(panel, is_outer, i, proposed, mended, limits, diagnostics);
     panel = mended;
   }
 }
@@ -79,35 +83,26 @@ bool all_rates_are_known(const Panel& panel) {
          std::all_of(panel.inner.begin(), panel.inner.end(), known);
 }
 
-/// A hint for a panel whose cuttings disagree with its aft count: another count, or another depth of a cut.
-std::string closing_cure(const Panel& panel, double difference) {
-  std::string cure = fmt::format("aft = {}", in_meshes(aft_by_cuttings(panel)));
-  const double sides = panel.stands == Standing::middle ? 2 : 1;
-  if (panel.outer.empty()) return cure;
-  const Cut& cut = panel.outer.back();
-  const double across = cut.across - cut.goes * difference / sides;
-  if (cut.goes == 0 || cut.rate.half_meshes_deep() == 0 || across < 0) return cure;
-  return cure + fmt::format(", or {} M of {} in {} instead of {}, closes the panel",
-                            in_meshes(cut.rate.deep(across)), cut.written, cut.name, in_meshes(cut.deep));
-}
-
 void check_closing(const Panel& panel, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const double cut = aft_by_cuttings(panel), planned = panel.count(panel.aft), difference = cut - planned;
+  const auto wanted = [&](const auto& cures) { return diagnostics.wants_cures() ? cures() : Cures{}; };
+  const auto closing = [&] { return cures_of_closing(panel, limits); };
   if (cut < -limits.closing_meshes)
     return diagnostics.error(
         panel.place,
         fmt::format("{}: its sides meet before the aft edge: the cuttings give {} meshes there", panel.name,
                     in_meshes(cut)),
-        "let one of the sides go out instead of in, or shorten a cut");
+        "let one of the sides go out instead of in, or shorten a cut",
+        panel.states_aft ? wanted(closing) : wanted([&] { return cures_of_direction(panel); }));
   if (!panel.states_aft || std::abs(difference) <= limits.closing_meshes) return;
   const double fraction = difference / std::max(1.0, planned);
   const std::string message =
       fmt::format("{}.aft: the cuttings give {} meshes, but the plan says {}, {}", panel.name, in_meshes(cut),
                   in_meshes(planned), in_percent(fraction));
   if (std::abs(fraction) > limits.closing_error)
-    diagnostics.error(panel.aft_place, message, closing_cure(panel, difference));
+    diagnostics.error(panel.aft_place, message, "", wanted(closing));
   else
-    diagnostics.warning(panel.aft_place, message, closing_cure(panel, difference));
+    diagnostics.warning(panel.aft_place, message, "", wanted(closing));
 }
 
 void check_depth(const Panel& panel, const std::vector<Cut>& side, const char* name,
@@ -120,10 +115,11 @@ void check_depth(const Panel& panel, const std::vector<Cut>& side, const char* n
       fmt::format("{}.{}: its cuttings go {} meshes deep, but the panel {}, {}", panel.name, name,
                   in_meshes(deep), in_meshes(panel.depth), in_percent(difference / panel.depth));
   const std::string cure = "leave out the depth of one of its cuts, which then takes the rest";
+  const Cures cures = diagnostics.wants_cures() ? cures_of_depth(panel, side, name) : Cures{};
   if (std::abs(difference) > limits.closing_error * panel.depth)
-    diagnostics.error(side.front().place, message, cure);
+    diagnostics.error(side.front().place, message, cure, cures);
   else
-    diagnostics.warning(side.front().place, message, cure);
+    diagnostics.warning(side.front().place, message, cure, cures);
 }
 
 void check_empty(const Panel& panel, formats::Diagnostics& diagnostics) {
@@ -211,7 +207,8 @@ void check_width(const Panel& panel, formats::Diagnostics& diagnostics) {
           panel.place,
           fmt::format("{}: its sides meet {} meshes aft of its fore end: no netting is left between them",
                       panel.name, in_meshes(corner.y)),
-          "shorten a cut, let one of the sides go out instead of in, or divide the panel there");
+          "shorten a cut, let one of the sides go out instead of in, or divide the panel there",
+          diagnostics.wants_cures() ? cures_of_direction(panel) : Cures{});
     }
 }
 

@@ -2,6 +2,7 @@
 #include "io/formats/toml/table_reader.hpp"
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/names.hpp"
+#include "io/gears/plan/proposals.hpp"
 
 #include <fmt/format.h>
 
@@ -25,33 +26,45 @@ double number_of(const Pieces& pieces, const char* key, const char* unit) {
 /// rope, which are shorter than wide.
 bool is_float(const Pieces& pieces) { return number_of(pieces, "buoyancy", "N") > 0; }
 
+/// The proposal of another number of pieces, a multiple of `step`.
+Cures cures_of_number(const Pieces& pieces, const std::string& path, double number, int step) {
+  const double whole = step * std::floor(number / step);
+  if (whole <= 0) return {};
+  const bool is_along = !pieces.along.empty();
+  return {set(path, as_text(fmt::format("{:g} {} {}", whole, is_along ? "along" : "at",
+                                        is_along ? pieces.along : pieces.at)))};
+}
+
 void check_count(const Pieces& pieces, const std::string& path, bool is_on_both_sides,
                  formats::Diagnostics& diagnostics) {
+  const int step = is_on_both_sides ? 2 : 1;
   if (pieces.number != std::round(pieces.number))
     diagnostics.error(pieces.spread_place,
                       fmt::format("{}: {:g} pieces, which is not a whole number", path, pieces.number),
-                      "give pieces of another size a table of their own in [floats]");
+                      "give pieces of another size a table of their own in [floats]",
+                      cures_of_number(pieces, path, pieces.number + step / 2.0, step));
   else if (is_on_both_sides && std::fmod(pieces.number, 2) != 0 && diagnostics.errors() == 0)
     diagnostics.warning(pieces.spread_place,
                         fmt::format("{}: {:g} pieces on both sides together, {:g} on each side", path,
                                     pieces.number, pieces.number / 2),
-                        "the number is that of the whole gear, to port and to starboard");
+                        "the number is that of the whole gear, to port and to starboard",
+                        cures_of_number(pieces, path, pieces.number + 1, step));
 }
 
 /// Warns of floats that do not fit in a row, and refuses floats that do not even fit in bunches.
-void check_room(const Pieces& pieces, const std::string& path, double length, const CheckLimits& limits,
-                formats::Diagnostics& diagnostics) {
+void check_room(const Pieces& pieces, const std::string& path, double length, bool is_on_both_sides,
+                const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const double diameter = number_of(pieces, "diameter", "m"), row = pieces.number * diameter;
   if (!is_float(pieces) || length <= 0 || row <= length) return;
   const std::string said =
       fmt::format("{}: {:g} floats of {} m side by side are {} m long, but {} is only {} m", path,
                   pieces.number, in_metres(diameter), in_metres(row), pieces.along, in_metres(length));
-  const std::string cure =
-      fmt::format("at most {:g} floats lie in a row there", std::floor(length / diameter));
+  const std::string cure = "more floats do not lie in a row there";
+  const Cures cures = cures_of_number(pieces, path, length / diameter, is_on_both_sides ? 2 : 1);
   if (row > limits.crowded * length)
-    diagnostics.error(pieces.spread_place, said, cure);
+    diagnostics.error(pieces.spread_place, said, cure, cures);
   else
-    diagnostics.warning(pieces.spread_place, said, cure);
+    diagnostics.warning(pieces.spread_place, said, cure, cures);
 }
 
 /// The total length in the whole gear along which pieces are spread [m]; 0 after an error.
@@ -76,7 +89,7 @@ bool is_on_both_sides(const NetPlan& plan, const Pieces& pieces) {
 
 void check_pieces(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   for (const auto& pieces : plan.pieces) {
-    const std::string path = "floats." + pieces.name + ".spread";
+    const std::string path = path_of({"floats", pieces.name, "spread"});
     const int errors_before = diagnostics.errors();
     double length = 0;
     if (pieces.along.empty())
@@ -84,8 +97,9 @@ void check_pieces(const NetPlan& plan, const CheckLimits& limits, formats::Diagn
     else
       length = length_along(plan, pieces, diagnostics, path);
     if (diagnostics.errors() > errors_before) continue;
-    check_count(pieces, path, is_on_both_sides(plan, pieces), diagnostics);
-    check_room(pieces, path, length, limits, diagnostics);
+    const bool is_twice = is_on_both_sides(plan, pieces);
+    check_count(pieces, path, is_twice, diagnostics);
+    check_room(pieces, path, length, is_twice, limits, diagnostics);
   }
 }
 

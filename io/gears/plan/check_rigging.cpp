@@ -2,6 +2,7 @@
 #include "io/formats/toml/table_reader.hpp"
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/names.hpp"
+#include "io/gears/plan/proposals.hpp"
 
 #include <fmt/format.h>
 
@@ -56,36 +57,67 @@ bool is_counted(const EdgeRow& a, const EdgeRow& b) {
   return !a.is_side || (a.is_one_mesh_size && b.is_one_mesh_size && a.mesh == b.mesh);
 }
 
-void say_mismatch(const Join& join, const std::string& path, const EdgeRow& a, const EdgeRow& b, double ratio,
-                  const CheckLimits& limits, formats::Diagnostics& diagnostics) {
-  const int times = a.times == b.times ? a.times : 1;
-  const bool counted = is_counted(a, b);
-  const auto measure = [&](const EdgeRow& row) {
-    return counted ? in_meshes(row.meshes / times) + " meshes"
-                   : in_metres(row.stretched / times) + " m of twine";
-  };
-  const double expected = join.take_up > 0 ? join.take_up : 1, off = ratio / expected - 1;
-  const std::string message = fmt::format(
-      "{}: {} has {}, but {} has {}, {}{}", path, a.name, measure(a), b.name, measure(b), in_percent(off),
-      join.take_up > 0 ? fmt::format(" of the take-up {:.3g}", join.take_up) : "");
-  const std::string cure = fmt::format(
-      "take_up = {:.4g}, if that many meshes of the second edge belong to one mesh of the first", ratio);
-  if (std::abs(off) > limits.joining_error)
-    diagnostics.error(join.places[1], message, cure);
-  else
-    diagnostics.warning(join.places[1], message, cure);
+/// The quantity that is compared between the two sides of a seam, over the whole gear.
+struct Match {
+  bool is_counted;
+  double first, second;  // meshes, or length of twines [m]
+  double expected;       // the second over the first, as the plan wants it
+  double off() const { return second / first / expected - 1; }
+};
+
+/// Other counts of each edge of a row, of which there should be `more`, in the units of the match.
+void add_cures_of_row(Cures& cures, const NetPlan& plan, const std::vector<std::string>& row, double more,
+                      bool is_counted) {
+  formats::Diagnostics silent;
+  for (const auto& name : row) {
+    const EdgeSet edge = find_edge(plan, name, {}, "", silent);
+    const double now = edge.times() * (is_counted ? edge.meshes() : edge.stretched());
+    if (now <= 0) continue;
+    const Cures own = cures_of_edge(edge, edge.meshes() * more / now);
+    cures.insert(cures.end(), own.begin(), own.end());
+  }
 }
 
-void check_match(const Join& join, const std::string& path, const EdgeRow& a, const EdgeRow& b,
-                 const CheckLimits& limits, formats::Diagnostics& diagnostics) {
+/// Other counts of the edges of a seam, so that they fit, or the take-up that they have.
+Cures cures_of_seam(const NetPlan& plan, const Join& join, const Match& match) {
+  Cures cures;
+  add_cures_of_row(cures, plan, join.edges[0], match.second / match.expected - match.first, match.is_counted);
+  add_cures_of_row(cures, plan, join.edges[1], match.expected * match.first - match.second, match.is_counted);
+  const double ratio = std::stod(fmt::format("{:.4g}", match.second / match.first));
+  if (!join.path.empty())
+    cures.push_back(set(join.path + ".take_up", as_number(ratio),
+                        "if that many meshes of the second edge belong to one mesh of the first"));
+  return cures;
+}
+
+void say_mismatch(const Join& join, const std::string& path, const EdgeRow& a, const EdgeRow& b,
+                  const Match& match, const Cures& cures, const CheckLimits& limits,
+                  formats::Diagnostics& diagnostics) {
+  const int times = a.times == b.times ? a.times : 1;
+  const auto measure = [&](const EdgeRow& row) {
+    return match.is_counted ? in_meshes(row.meshes / times) + " meshes"
+                            : in_metres(row.stretched / times) + " m of twine";
+  };
+  const std::string message = fmt::format(
+      "{}: {} has {}, but {} has {}, {}{}", path, a.name, measure(a), b.name, measure(b),
+      in_percent(match.off()), join.take_up > 0 ? fmt::format(" of the take-up {:.3g}", join.take_up) : "");
+  if (std::abs(match.off()) > limits.joining_error)
+    diagnostics.error(join.places[1], message, "", cures);
+  else
+    diagnostics.warning(join.places[1], message, "", cures);
+}
+
+void check_match(const NetPlan& plan, const Join& join, const std::string& path, const EdgeRow& a,
+                 const EdgeRow& b, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const bool counted = is_counted(a, b);
-  const double first = counted ? a.meshes : a.stretched, second = counted ? b.meshes : b.stretched;
-  if (first <= 0 || second <= 0) return;
-  const double expected = join.take_up > 0 ? join.take_up : 1;
-  const double excess = std::abs(second - expected * first);
+  const Match match = {counted, counted ? a.meshes : a.stretched, counted ? b.meshes : b.stretched,
+                       join.take_up > 0 ? join.take_up : 1};
+  if (match.first <= 0 || match.second <= 0) return;
+  const double excess = std::abs(match.second - match.expected * match.first);
   const double few = limits.joining_meshes * std::max(a.times, b.times) * (counted ? 1 : a.mesh);
-  if (excess <= few || excess <= limits.joining * expected * first) return;
-  say_mismatch(join, path, a, b, second / first, limits, diagnostics);
+  if (excess <= few || excess <= limits.joining * match.expected * match.first) return;
+  const Cures cures = diagnostics.wants_cures() ? cures_of_seam(plan, join, match) : Cures{};
+  say_mismatch(join, path, a, b, match, cures, limits, diagnostics);
 }
 
 /// Warns about edges sewn mesh to mesh whose mesh sizes differ so much that the wider meshes cannot open far.
@@ -154,6 +186,20 @@ double length_taken(const Hanging& hanging, const EdgeSet& edge, const Rope& rop
   return rope.stands == Standing::middle ? edge.times() * once : once;
 }
 
+/// Proposals that a hanging has one of these ratios, as lengths if the plan states a length.
+Cures cures_of_hanging(const Hanging& hanging, double stretched, std::initializer_list<double> ratios) {
+  Cures cures;
+  for (const double ratio : ratios) {
+    if (hanging.path.empty()) continue;
+    const std::string note = fmt::format("which is a ratio of {:.3g}", ratio);
+    if (hanging.length > 0)
+      cures.push_back(set(hanging.path + ".length", as_metres(millimetres_below(ratio * stretched)), note));
+    else
+      cures.push_back(set(hanging.path + ".ratio", as_number(ratio)));
+  }
+  return cures;
+}
+
 void check_hanging(const Hanging& hanging, const EdgeSet& edge, const std::string& path,
                    const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const double stretched = edge.stretched();
@@ -165,12 +211,22 @@ void check_hanging(const Hanging& hanging, const EdgeSet& edge, const std::strin
   if (ratio > 1 + limits.stretching)
     diagnostics.error(hanging.place,
                       said + ": the netting would have to be stretched, " + in_percent(ratio - 1),
-                      fmt::format("at most length = \"{} m\"", in_metres(stretched)));
+                      fmt::format("the edge takes at most {} m of rope", in_metres(stretched)),
+                      cures_of_hanging(hanging, stretched, {1, 0.5}));
   else if (ratio < limits.bunching)
-    diagnostics.warning(
-        hanging.place, said + fmt::format(": its meshes would be bunched, ratio {:.2g}", ratio),
-        "a hanging ratio is rarely below 0.3; the length may be that of one part of the edge");
+    diagnostics.warning(hanging.place,
+                        said + fmt::format(": its meshes would be bunched, ratio {:.2g}", ratio),
+                        "a hanging ratio is rarely below 0.3; the length may be that of one part of the edge",
+                        cures_of_hanging(hanging, stretched, {0.5, 0.3}));
 }
+
+Cures cures_of_standing(const Rope& rope, const char* word, std::string note) {
+  return {set(path_of({"ropes", rope.name, "stands"}), as_text(word), std::move(note))};
+}
+
+constexpr const char* kRunsAcross = "if the rope runs from one side to the other";
+constexpr const char* kStandings =
+    "a pair of ropes carries edges that exist twice, a rope in the middle carries edges of both sides";
 
 /// Refuses an edge that exists twice on a single rope, and an edge that exists once on a pair of ropes.
 void check_times(const Hanging& h, const EdgeSet& edge, const Rope& rope, const std::string& path,
@@ -180,12 +236,13 @@ void check_times(const Hanging& h, const EdgeSet& edge, const Rope& rope, const 
     diagnostics.error(
         h.rope_place,
         fmt::format("{}: {} exists to port and to starboard, but {} only once", path, h.edge, rope.name),
-        "set stands = \"pair\" for the rope, or \"middle\" if it runs from one side to the other");
+        kStandings,
+        {cures_of_standing(rope, "pair", "")[0], cures_of_standing(rope, "middle", kRunsAcross)[0]});
   if (rope.stands == Standing::pair && !is_twice)
     diagnostics.error(
         h.rope_place,
         fmt::format("{}: {} exists only once, but {} to port and to starboard", path, h.edge, rope.name),
-        "set stands = \"middle\" for the rope if it runs from one side to the other");
+        kStandings, cures_of_standing(rope, "middle", kRunsAcross));
 }
 
 std::string indexed(const char* key, std::size_t i) { return fmt::format("{}[{}]", key, i); }
@@ -208,7 +265,8 @@ void say_loose(const Rope& rope, double hung, formats::Diagnostics& diagnostics)
       fmt::format("{} is {} m long, but edges take only {} m of it: {} m carry no netting", rope.name,
                   in_metres(rope.length), in_metres(hung), in_metres(rope.length - hung)),
       "give length in metres, for the whole rope; a piece that leads on to other gear needs a rope of its "
-      "own");
+      "own",
+      {set(path_of({"ropes", rope.name, "length"}), as_metres(millimetres_above(hung)))});
 }
 
 void check_thickness(const Rope& rope, formats::Diagnostics& diagnostics) {
@@ -225,20 +283,45 @@ void check_thickness(const Rope& rope, formats::Diagnostics& diagnostics) {
                       "one of the two may be in another unit");
 }
 
-void check_rope_length(double hung, const Rope& rope, const CheckLimits& limits,
-                       formats::Diagnostics& diagnostics) {
+/// A longer rope, less of it for one of its edges, or fewer meshes along an edge that is hung with a ratio.
+Cures cures_of_length(const NetPlan& plan, const HangingsByRope& hangings, const Rope& rope, double hung) {
+  Cures cures = {set(path_of({"ropes", rope.name, "length"}), as_metres(millimetres_above(hung)))};
+  formats::Diagnostics silent;
+  const auto [first, last] = hangings.equal_range(rope.name);
+  for (auto h = first; h != last; ++h) {
+    const Hanging& hanging = *h->second;
+    const EdgeSet edge = find_edge(plan, hanging.edge, {}, "", silent);
+    const int times = rope.stands == Standing::middle ? edge.times() : 1;
+    const double now = hanging.length > 0 ? hanging.length : hanging.ratio * edge.stretched();
+    const double length = millimetres_below(now - (hung - rope.length) / times);
+    if (hanging.path.empty() || edge.edges.empty() || length <= 0) continue;
+    if (hanging.length > 0)
+      cures.push_back(set(hanging.path + ".length", as_metres(length)));
+    else
+      cures.push_back(
+          set(hanging.path + ".ratio", as_number(std::floor(1e4 * length / edge.stretched()) / 1e4)));
+    if (hanging.length > 0) continue;
+    const Cures counts = cures_of_edge(edge, edge.meshes() * (length / now - 1));
+    cures.insert(cures.end(), counts.begin(), counts.end());
+  }
+  return cures;
+}
+
+void check_rope_length(const NetPlan& plan, const HangingsByRope& hangings, const Rope& rope,
+                       const CheckLimits& limits, formats::Diagnostics& diagnostics) {
+  const double hung = hung_on(plan, hangings, rope);
   const double missing = hung - rope.length;
   check_thickness(rope, diagnostics);
   if (missing <= limits.rounding * rope.length) return;
   const std::string message =
       fmt::format("{} is {} m long, but edges take {} m of it: it is {} m too short", rope.name,
                   in_metres(rope.length), in_metres(hung), in_metres(missing));
-  const std::string cure =
-      fmt::format("set length = \"{} m\" for the rope, or give its edges less of it", in_metres(hung));
+  const std::string cure = "lengthen the rope, or give its edges less of it";
+  const Cures cures = diagnostics.wants_cures() ? cures_of_length(plan, hangings, rope, hung) : Cures{};
   if (missing > limits.short_rope * rope.length)
-    diagnostics.error(rope.place, message, cure);
+    diagnostics.error(rope.place, message, cure, cures);
   else
-    diagnostics.warning(rope.place, message, cure);
+    diagnostics.warning(rope.place, message, cure, cures);
 }
 
 /// Refuses a rope that exists once if it ends at a point that exists to port and to starboard.
@@ -249,12 +332,11 @@ void check_end(const NetPlan& plan, const Rope& rope, const std::string& end,
   const bool is_once =
       rope.stands == Standing::alone || (rope.stands == Standing::middle && &end == &rope.between[0]);
   if (is_once && standing_of_point(plan, end) == Standing::pair)
-    diagnostics.error(
-        rope.between_place,
-        fmt::format("{}: {} exists to port and to starboard, but {} only once", path, end,
-                    rope.stands == Standing::middle ? "the middle of the rope" : "the rope"),
-        "set stands = \"pair\" for the rope; a rope with \"middle\" starts in the middle and ends "
-        "on both sides");
+    diagnostics.error(rope.between_place,
+                      fmt::format("{}: {} exists to port and to starboard, but {} only once", path, end,
+                                  rope.stands == Standing::middle ? "the middle of the rope" : "the rope"),
+                      "a rope with stands = \"middle\" starts in the middle and ends on both sides",
+                      cures_of_standing(rope, "pair", ""));
 }
 
 /// Refuses a pair of ropes that both lead to one point of a middle body, unless the point is in the middle.
@@ -270,10 +352,9 @@ void check_end_aside(const NetPlan& plan, const Rope& rope, const std::string& e
       rope.between_place,
       fmt::format("ropes.{}.between: both ropes of the pair would lead to {}, {} m to {} of the middle",
                   rope.name, end, in_metres(std::abs(point->y)), point->y > 0 ? "starboard" : "port"),
-      fmt::format(
-          "name two points of {} in its place, \"port-{}\" and \"starboard-{}\"; \"{}\" then means one for "
-          "each side",
-          body->name, name, name, end));
+      fmt::format("name two points of {} in its place, \"port-{}\" and \"starboard-{}\"; \"{}\" then means "
+                  "one for each side",
+                  body->name, name, name, end));
 }
 
 /// Sets of connected panels, ropes and points.
@@ -336,7 +417,7 @@ void check_joins(const NetPlan& plan, const CheckLimits& limits, formats::Diagno
   formats::Diagnostics silent;
   for (std::size_t i = 0; i < plan.joins.size(); ++i) {
     const Join& join = plan.joins[i];
-    const std::string path = indexed("join", i);
+    const std::string path = join.path.empty() ? indexed("join", i) : join.path;
     const EdgeRow a = read_edge_row(plan, join.edges[0], join.places[0], path, diagnostics);
     const EdgeRow b =
         join.is_to_itself() ? a : read_edge_row(plan, join.edges[1], join.places[1], path, diagnostics);
@@ -347,7 +428,7 @@ void check_joins(const NetPlan& plan, const CheckLimits& limits, formats::Diagno
     if (join.is_to_itself()) check_sewn_to_itself(join, path, a, diagnostics);
     check_ring(join, 0, path, a, diagnostics);
     if (!join.is_to_itself()) check_ring(join, 1, path, b, diagnostics);
-    check_match(join, path, a, b, limits, diagnostics);
+    check_match(plan, join, path, a, b, limits, diagnostics);
     check_widths(join, path, a, b, limits, diagnostics);
   }
 }
@@ -356,7 +437,7 @@ void check_hangings(const NetPlan& plan, const CheckLimits& limits, formats::Dia
   Ledger hung("hung");
   for (std::size_t i = 0; i < plan.hangings.size(); ++i) {
     const Hanging& h = plan.hangings[i];
-    const std::string path = indexed("hang", i);
+    const std::string path = h.path.empty() ? indexed("hang", i) : h.path;
     const EdgeSet edge = find_edge(plan, h.edge, h.edge_place, path, diagnostics);
     const Rope* rope = find_rope_or_say(plan, h.rope, h.rope_place, path, diagnostics);
     if (!rope || !rope->is_selvedge) hung.enter(edge, h.edge_place, path, diagnostics);
@@ -383,7 +464,9 @@ void check_roles(const NetPlan& plan, formats::Diagnostics& diagnostics) {
       diagnostics.error(rope.role_place,
                         fmt::format("{}: {} is the {} already, at {}", rope.name, earlier->second->name,
                                     rope.role, diagnostics.where(earlier->second->role_place)),
-                        "set role = \"fishing-line\" or \"ground-rope\" for one of the two, if it is one");
+                        "one of the two may have another role",
+                        {set(path_of({"ropes", rope.name, "role"}), as_text("fishing-line")),
+                         set(path_of({"ropes", rope.name, "role"}), as_text("ground-rope"))});
   }
 }
 
@@ -391,7 +474,7 @@ void check_ropes(const NetPlan& plan, const CheckLimits& limits, formats::Diagno
   check_roles(plan, diagnostics);
   const HangingsByRope hangings = hangings_by_rope(plan);
   for (const auto& rope : plan.ropes) {
-    check_rope_length(hung_on(plan, hangings, rope), rope, limits, diagnostics);
+    check_rope_length(plan, hangings, rope, limits, diagnostics);
     for (const auto& end : rope.between)
       if (!end.empty()) {
         check_end(plan, rope, end, diagnostics);
@@ -411,7 +494,8 @@ void check_connections(const NetPlan& plan, formats::Diagnostics& diagnostics) {
     if (!plan.find_body(owner(point.name))) all.add(point.name, point.place);
   for (const auto& body : plan.bodies)
     if (tied.contains(body.name))
-      all.add(body.name, body.place);  // the scene may attach bodies without ropes
+      all.add(body.name,
+              body.place);  // the scene may attach bodies without ropes
   for (const auto& join : plan.joins) connect_join(all, join);
   for (const auto& hanging : plan.hangings) all.connect(owner(hanging.edge), hanging.rope);
   for (const auto& rope : plan.ropes)

@@ -163,6 +163,7 @@ struct Hanging {
   double length = 0;
   double ratio = 0;  // length of rope divided by that of the stretched edge; 0: `length` is given
   formats::Place edge_place, rope_place, place;
+  std::string path = {};  // path of its table, "hang[2]"; empty if no table states it
   bool operator==(const Hanging&) const = default;
 };
 
@@ -174,6 +175,7 @@ struct Join {
   double selvedge = 0;  // meshes of each edge that are gathered into the seam
   std::array<formats::Place, 2> places;
   formats::Place place;
+  std::string path = {};  // path of its table, "join[2]"; empty if no table states it
 
   bool is_to_itself() const { return edges[0] == edges[1]; }
   bool operator==(const Join&) const = default;

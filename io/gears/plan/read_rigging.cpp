@@ -104,6 +104,7 @@ Hanging read_hanging(formats::TableReader& table) {
   hanging.edge_place = table.place("edge");
   hanging.rope_place = table.place("on");
   hanging.place = table.place();
+  hanging.path = table.path();
   if (table.has("length") && table.has("ratio"))
     table.error("ratio", "cannot be combined with length, which has the same meaning", "leave out either");
   if (table.has("ratio"))
@@ -118,6 +119,7 @@ Hanging read_hanging(formats::TableReader& table) {
 Join read_join(formats::TableReader& table) {
   Join join;
   join.place = table.place();
+  join.path = table.path();
   const formats::Value* edges = table.raw("edges");
   const formats::Array* array = edges ? edges->as<formats::Array>() : nullptr;
   if (!array || array->items.size() != 2) {

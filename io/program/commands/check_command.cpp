@@ -24,6 +24,7 @@ Json finding_json(const formats::Diagnostic& finding, const formats::Diagnostics
                {"at", diagnostics.where(finding.place)},
                {"message", finding.message}};
   if (!finding.hint.empty()) json["hint"] = finding.hint;
+  if (!finding.changes.empty()) json["changes"] = finding.changes;
   return json;
 }
 

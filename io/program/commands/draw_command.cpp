@@ -3,7 +3,7 @@
 #include "io/gears/drawing/drawing.hpp"
 #include "io/gears/meshing/cannot_divide.hpp"
 #include "io/gears/meshing/division.hpp"
-#include "io/gears/plan/check.hpp"
+#include "io/gears/plan/checked_plan.hpp"
 #include "io/gears/plan/read_plan.hpp"
 #include "io/pictures/picture/pixel_picture.hpp"
 #include "io/program/commands/draw_polars.hpp"
@@ -109,8 +109,7 @@ int draw_plan(const DrawOptions& options) {
   Terminal terminal(options);
   formats::Diagnostics diagnostics;
   refuse_undone(options.set);
-  gears::NetPlan plan = gears::read_plan(options.file, options.set, diagnostics);
-  if (diagnostics.errors() == 0) gears::check_plan(plan, diagnostics);
+  const gears::NetPlan plan = gears::read_and_check(options.file, options.set, diagnostics);
   if (diagnostics.errors() == 0) gears::check_seams(plan, diagnostics);
   if (const int code = say(diagnostics, terminal); code != kDone) return code;
   const std::string output = output_of(options);

@@ -6,7 +6,7 @@
 #include "io/gears/meshing/division.hpp"
 
 #include "io/gears/meshing/recent.hpp"
-#include "io/gears/plan/check.hpp"
+#include "io/gears/plan/checked_plan.hpp"
 #include "io/gears/plan/read_plan.hpp"
 #include "io/scenes/reading/analysis.hpp"
 #include "io/scenes/reading/catalogue_parts.hpp"
@@ -154,8 +154,7 @@ struct PlanRead {
 /// messages yet.
 std::shared_ptr<const PlanRead> read_and_check(const PlanInput& input, formats::Diagnostics said) {
   auto read = std::make_shared<PlanRead>();
-  read->plan = gears::read_plan(input.tables, *input.catalogue, said);
-  if (said.errors() == 0) gears::check_plan(read->plan, said);
+  read->plan = gears::read_and_check(input.tables, *input.catalogue, said);
   read->messages = said.messages();
   return read;
 }

@@ -61,6 +61,11 @@ class Gears(InFreshFolder):
         self.assertEqual([f["severity"] for f in findings], ["warning", "error", "warning"])
         self.assertEqual(findings[1]["at"], "slip.toml:21:39")
 
+    def test_a_proposal_removes_its_message(self):
+        self.write("slip.toml", SLIP)
+        change = self.netloft("check", "slip.toml", "--json").json()["findings"][1]["changes"][0]
+        self.assertEqual(self.netloft("check", "slip.toml", "--set", change).code, 0)
+
     def test_outlines_for_a_program(self):
         panels = self.netloft("check", str(GEARS[0]), "--json").json()["panels"]
         wing = next(p for p in panels if p["name"] == "top-wing")

@@ -53,17 +53,6 @@ TEST(PlanCheck, AMeshMoreOrLessIsNotTold) {
   EXPECT_FALSE(says(check_text(library_text("83-112-eastern.toml")), "bottom-body.aft"));
 }
 
-TEST(PlanCheck, ACureClosesThePanel) {
-  const auto checked = check_text(changed_plan("aft = 20\n", "aft = 22\n"));
-  ASSERT_TRUE(says(checked, "body.aft: the cuttings give 20 meshes, but the plan says 22")) << checked.said();
-  ASSERT_TRUE(says(checked, "40.6 M of 5B1P in sides instead of 42")) << checked.said();
-  const auto cured = check_text(
-      changed_plan("depth = 42\naft = 20\nsides = \"5B1P in\"",
-                   "depth = 42\naft = 22\nsides = [{ name = \"sides\", cut = \"5B1P in\", depth = 40.6 },"
-                   " { name = \"straight\", cut = \"AN\" }]"));
-  EXPECT_FALSE(says(cured, "body.aft")) << cured.said();
-}
-
 TEST(PlanCheck, TakeUpIsTheRatioOfMeshes) {
   const std::string join = "edges = [\"body.aft\", \"bag.fore\"]";
   const auto checked = check_text(changed_plan("fore = 20\ndepth = 50", "fore = 25\ndepth = 50"));

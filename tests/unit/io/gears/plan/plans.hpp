@@ -2,7 +2,7 @@
 #pragma once
 #include "io/gears/meshing/division.hpp"
 #include "io/gears/plan/check.hpp"
-#include "io/gears/plan/read_plan.hpp"
+#include "io/gears/plan/checked_plan.hpp"
 #include "tests/folders.hpp"
 
 #include <gtest/gtest.h>
@@ -93,8 +93,7 @@ struct CheckedPlan {
 
 inline CheckedPlan check_text(const std::string& text) {
   CheckedPlan checked;
-  checked.plan = read_plan_text(text, "plan.toml", checked.diagnostics);
-  if (checked.diagnostics.errors() == 0) check_plan(checked.plan, checked.diagnostics);
+  checked.plan = read_and_check_text(text, "plan.toml", checked.diagnostics);
   if (checked.diagnostics.errors() == 0) check_seams(checked.plan, checked.diagnostics);
   return checked;
 }

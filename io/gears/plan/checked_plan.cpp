@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gears/plan/checked_plan.hpp"
+
+#include "io/formats/work/long_work.hpp"
+#include "io/gears/plan/check.hpp"
+#include "io/gears/plan/tried_cures.hpp"
+
+namespace netloft::gears {
+
+namespace {
+
+NetPlan read_and_check(const std::optional<PlanDocument>& document, formats::Diagnostics& diagnostics) {
+  if (!document) return {};
+  NetPlan plan = read_and_check(document->root, document->catalogue, diagnostics);
+  plan.files = document->files;
+  return plan;
+}
+
+}  // namespace
+
+NetPlan read_and_check(const formats::Value& root, const Catalogue& catalogue,
+                       formats::Diagnostics& diagnostics) {
+  NetPlan plan = read_plan(root, catalogue, diagnostics);
+  if (diagnostics.errors() == 0) check_plan(plan, diagnostics);
+  try_cures(root, catalogue, diagnostics);
+  return plan;
+}
+
+NetPlan read_and_check(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                       formats::Diagnostics& diagnostics) {
+  const formats::LongWork reading({"reading", file.native()});
+  return read_and_check(PlanDocument::load(file, overrides, diagnostics), diagnostics);
+}
+
+NetPlan read_and_check_text(const std::string& text, const std::string& name,
+                            formats::Diagnostics& diagnostics) {
+  return read_and_check(PlanDocument::parse(text, name, diagnostics), diagnostics);
+}
+
+}  // namespace netloft::gears

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/gears/plan/read_plan.hpp"
+
+namespace netloft::gears {
+
+/// Reads a plan from its tables, checks whether the net can be sewn, and tries what the hints propose.
+NetPlan read_and_check(const formats::Value& root, const Catalogue& catalogue,
+                       formats::Diagnostics& diagnostics);
+
+/// Reads and checks the plan in a file, with `overrides` applied.
+NetPlan read_and_check(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                       formats::Diagnostics& diagnostics);
+
+/// Reads and checks a plan in memory.
+NetPlan read_and_check_text(const std::string& text, const std::string& name,
+                            formats::Diagnostics& diagnostics);
+
+}  // namespace netloft::gears
