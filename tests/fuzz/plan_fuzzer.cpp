@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Nonsense for everything that works on a net plan: each input is read, checked, cured, drawn and made a gear
 // of.
+#include "io/formats/toml/accepted_warnings.hpp"
 #include "io/gears/drawing/drawing.hpp"
 #include "io/gears/meshing/division.hpp"
 #include "io/gears/plan/check.hpp"
@@ -49,6 +50,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (diagnostics.errors()) return 0;
   gears::NetPlan plan = gears::read_plan(document.root(), catalogue(), diagnostics);
   if (diagnostics.errors() == 0) gears::check_plan(plan, diagnostics);
+  formats::accept_warnings(document.root(), diagnostics);
   gears::try_cures(document.root(), catalogue(), diagnostics, {.most = 12});
   if (diagnostics.errors() == 0) gears::check_seams(plan, diagnostics);
   use(diagnostics.render(false).size());

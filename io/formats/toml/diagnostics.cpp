@@ -2,6 +2,7 @@
 #include "io/formats/toml/diagnostics.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "io/formats/text/printable.hpp"
 
@@ -48,6 +49,7 @@ void Diagnostics::warning(const Place& place, std::string message, std::string h
 void Diagnostics::add(Diagnostic entry) {
   if (!seen_.emplace(entry.place.file, entry.place.line, entry.place.column, entry.message).second) return;
   if (entry.severity == Severity::error) ++errors_;
+  if (!entry.accepted.empty()) ++accepted_;
   entries_.push_back(std::move(entry));
 }
 
@@ -71,8 +73,21 @@ void Diagnostics::take_messages(const std::vector<Diagnostic>& messages) {
   for (const Diagnostic& message : messages) add(message);
 }
 
-std::vector<Diagnostic> Diagnostics::sorted() const {
-  std::vector<Diagnostic> result = entries_;
+void Diagnostics::accept(std::size_t warning, std::string reason) {
+  Diagnostic& entry = entries_[warning];
+  assert(entry.severity == Severity::warning && !reason.empty());
+  if (entry.accepted.empty()) ++accepted_;
+  entry.accepted = std::move(reason);
+}
+
+std::vector<Diagnostic> Diagnostics::sorted() const { return sorted(false); }
+
+std::vector<Diagnostic> Diagnostics::accepted() const { return sorted(true); }
+
+std::vector<Diagnostic> Diagnostics::sorted(bool are_accepted) const {
+  std::vector<Diagnostic> result;
+  for (const Diagnostic& entry : entries_)
+    if (entry.accepted.empty() != are_accepted) result.push_back(entry);
   const auto key = [](const Diagnostic& d) { return std::tuple(d.place.file, d.place.line, d.place.column); };
   std::stable_sort(result.begin(), result.end(),
                    [&](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });

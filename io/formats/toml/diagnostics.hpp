@@ -34,6 +34,7 @@ struct Diagnostic {
   /// Proposals, the likeliest first. They are not part of the hint before somebody has tried them.
   std::vector<Cure> cures = {};
   std::vector<std::string> changes = {};  // values that the hint proposes first, which remove the message
+  std::string accepted = {};              // reason why the user accepts the warning; empty: does not
 };
 
 /// Collects all errors of an input, so that they are reported together.
@@ -66,10 +67,16 @@ class Diagnostics {
   bool wants_hints() const { return errors_ < static_cast<int>(kMostShown); }
   /// Whether proposals for the next message are still tried. If not, none needs to be made.
   bool wants_cures() const { return entries_.size() < kMostCured; }
-  int warnings() const { return static_cast<int>(entries_.size()) - errors_; }
+  /// Number of warnings that the user does not accept.
+  int warnings() const { return static_cast<int>(entries_.size()) - errors_ - accepted_; }
 
-  /// All messages, sorted by source, line and column.
+  /// Accepts the warning of this index in messages(), for a reason. It is counted and shown no more.
+  void accept(std::size_t warning, std::string reason);
+
+  /// All messages but accepted warnings, sorted by source, line and column.
   std::vector<Diagnostic> sorted() const;
+  /// The accepted warnings, sorted in the same way.
+  std::vector<Diagnostic> accepted() const;
 
   /// A place as text: "codend.toml:41:13", "--set parts.net.cells", or "" if there is no file.
   std::string where(const Place& place) const;
@@ -86,13 +93,14 @@ class Diagnostics {
     Source kind;
   };
   void add(Diagnostic entry);
+  std::vector<Diagnostic> sorted(bool are_accepted) const;
   std::string source_line(const Place& place) const;
   std::string excerpt(const Place& place) const;
 
   std::vector<Text> sources_;
   std::vector<Diagnostic> entries_;
   std::set<std::tuple<int, int, int, std::string>> seen_;
-  int errors_ = 0;
+  int errors_ = 0, accepted_ = 0;
 };
 
 }  // namespace netloft::formats

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/plan/checked_plan.hpp"
 
+#include "io/formats/toml/accepted_warnings.hpp"
 #include "io/formats/work/long_work.hpp"
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/tried_cures.hpp"
@@ -12,6 +13,7 @@ namespace {
 NetPlan read_and_check(const std::optional<PlanDocument>& document, formats::Diagnostics& diagnostics) {
   if (!document) return {};
   NetPlan plan = read_and_check(document->root, document->catalogue, diagnostics);
+  formats::accept_warnings(document->root, diagnostics);
   plan.files = document->files;
   return plan;
 }
@@ -22,6 +24,7 @@ NetPlan read_and_check(const formats::Value& root, const Catalogue& catalogue,
                        formats::Diagnostics& diagnostics) {
   NetPlan plan = read_plan(root, catalogue, diagnostics);
   if (diagnostics.errors() == 0) check_plan(plan, diagnostics);
+  formats::mark_accepted(root, diagnostics);
   try_cures(root, catalogue, diagnostics);
   return plan;
 }

@@ -5,10 +5,12 @@
 namespace netloft::gears {
 
 /// Reads a plan from its tables, checks whether the net can be sewn, and tries what the hints propose.
+/// Warnings that the key `accept` names are marked as accepted.
 NetPlan read_and_check(const formats::Value& root, const Catalogue& catalogue,
                        formats::Diagnostics& diagnostics);
 
-/// Reads and checks the plan in a file, with `overrides` applied.
+/// Reads and checks the plan in a file, with `overrides` applied; entries of `accept` that match nothing are
+/// reported.
 NetPlan read_and_check(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                        formats::Diagnostics& diagnostics);
 

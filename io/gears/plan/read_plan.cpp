@@ -38,7 +38,7 @@ class PlanReader {
  public:
   PlanReader(const formats::Value& root, const Catalogue& catalogue, formats::Diagnostics& diagnostics)
       : root_(root, diagnostics), diagnostics_(diagnostics), catalogue_(catalogue) {
-    root_.has("catalogue");  // the caller reads this key
+    for (const char* key : {"catalogue", "accept"}) root_.has(key);  // the caller reads these keys
   }
 
   NetPlan read() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/plan/tried_cures.hpp"
 
+#include "io/formats/toml/accepted_warnings.hpp"
 #include "io/formats/toml/change.hpp"
 #include "io/formats/toml/spelled_value.hpp"
 #include "io/gears/catalogue/part_choice.hpp"
@@ -33,7 +34,7 @@ std::string kind_of(const Diagnostic& message) {
   return kind;
 }
 
-/// The messages of the check of a plan.
+/// The messages of the check of a plan, without accepted warnings.
 struct Findings {
   std::vector<Diagnostic> messages;
   int errors = 0;
@@ -116,7 +117,7 @@ class CureTrials {
         left_(std::clamp(limits.part_trials / number_of_parts(root), limits.least, limits.most)),
         before_(check({})) {
     for (const auto& message : said.messages())
-      all_.insert(all_.end(), message.cures.begin(), message.cures.end());
+      if (message.accepted.empty()) all_.insert(all_.end(), message.cures.begin(), message.cures.end());
     for (const Cure& cure : all_) after(cure.changes);
   }
 
@@ -148,8 +149,10 @@ class CureTrials {
       check_loose_ropes(plan, {}, said);
       check_open_edges(plan, said);
     }
+    formats::mark_accepted(root, said);
     Findings findings;
-    for (const auto& message : said.messages()) findings.add(message);
+    for (const auto& message : said.messages())
+      if (message.accepted.empty()) findings.add(message);
     return findings;
   }
 
@@ -256,11 +259,13 @@ class CureTrials {
 void try_cures(const formats::Value& root, const Catalogue& catalogue, formats::Diagnostics& diagnostics,
                const CureLimits& limits) {
   const auto& said = diagnostics.messages();
-  if (std::ranges::none_of(said, [](const auto& m) { return !m.cures.empty(); })) return;
+  if (std::ranges::none_of(said, [](const auto& m) { return !m.cures.empty() && m.accepted.empty(); }))
+    return;
   CureTrials trials(root, catalogue, diagnostics, limits);
   std::vector<Diagnostic> messages;
   for (std::size_t i = 0; i < said.size(); ++i)
-    messages.push_back(i < formats::Diagnostics::kMostCured ? trials.cured(said[i]) : said[i]);
+    messages.push_back(
+        i < formats::Diagnostics::kMostCured && said[i].accepted.empty() ? trials.cured(said[i]) : said[i]);
   diagnostics = diagnostics.without_messages();
   diagnostics.take_messages(messages);
 }

@@ -17,7 +17,7 @@ struct CureLimits {
 /// Tries the proposals (Diagnostic::cures) of all messages about a plan: applies each to a copy of `root`,
 /// the tables that the plan was read from, and reads and checks the copy. A hint then begins with the values
 /// after which the message disappears and no other appears; or else with values that need others, and with
-/// those; or else with values and with what is still wrong after them.
+/// those; or else with values and with what is still wrong after them. Accepted warnings need no proposals.
 void try_cures(const formats::Value& root, const Catalogue& catalogue, formats::Diagnostics& diagnostics,
                const CureLimits& limits = {});
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/text/printable.hpp"
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/outline.hpp"
 #include "io/program/commands/gears.hpp"
@@ -25,6 +26,7 @@ Json finding_json(const formats::Diagnostic& finding, const formats::Diagnostics
                {"message", finding.message}};
   if (!finding.hint.empty()) json["hint"] = finding.hint;
   if (!finding.changes.empty()) json["changes"] = finding.changes;
+  if (!finding.accepted.empty()) json["reason"] = finding.accepted;
   return json;
 }
 
@@ -49,6 +51,9 @@ void print_json(const gears::NetPlan& plan, const formats::Diagnostics& diagnost
                {"findings", Json::array()}};
   for (const auto& finding : diagnostics.sorted())
     json["findings"].push_back(finding_json(finding, diagnostics));
+  json["accepted"] = Json::array();
+  for (const auto& finding : diagnostics.accepted())
+    json["accepted"].push_back(finding_json(finding, diagnostics));
   json["panels"] = Json::array();
   if (code == kDone)
     for (const auto& panel : plan.panels) json["panels"].push_back(panel_json(panel));
@@ -83,6 +88,23 @@ void print_summary(const gears::NetPlan& plan, const formats::Diagnostics& diagn
                          counted(static_cast<std::size_t>(diagnostics.warnings()), "warning", "warnings")));
 }
 
+/// The key or the part that a warning is about: "top-wing.aft", "headrope".
+std::string beginning_of(const std::string& message) {
+  const std::size_t colon = message.find(": "), end = std::min(colon, message.find(" is "));
+  return message.substr(0, end);
+}
+
+/// One line with the accepted warnings and their reasons.
+void print_accepted(const formats::Diagnostics& diagnostics) {
+  const auto accepted = diagnostics.accepted();
+  std::string text;
+  for (const auto& warning : accepted)
+    text += (text.empty() ? "" : "; ") + beginning_of(warning.message) + " (" + warning.accepted + ")";
+  if (!accepted.empty())
+    print_line(counted(accepted.size(), "warning", "warnings") +
+               " accepted: " + formats::printable_in_line(text));
+}
+
 }  // namespace
 
 int check_command(const CheckOptions& options) {
@@ -99,6 +121,7 @@ int check_command(const CheckOptions& options) {
     print_json(plan, diagnostics, code);
   else if (code == kDone)
     print_summary(plan, diagnostics);
+  if (!options.json) print_accepted(diagnostics);
   return code;
 }
 

@@ -171,6 +171,15 @@ void put_files(Json& scene) {
       false);
 }
 
+/// Adds the warnings that a scene accepts.
+void put_accept(Json& scene) {
+  Json entry = object();
+  put(entry, "warning", text("the words with which the warning begins"), true);
+  put(entry, "reason", text("why it is accepted"), true);
+  put(scene, "accept",
+      {{"type", "array"}, {"items", entry}, {"description", "warnings that are known and not shown"}}, false);
+}
+
 /// Adds parts, on their own nodes or on those of other parts, and rigid bodies.
 void put_pieces(Json& scene, const PartSchema& parts, const PartSchema& bodies) {
   put(scene, "parts",
@@ -219,6 +228,7 @@ Json scene_schema(Registry& registry) {
   scene["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   scene["title"] = "Netloft scene";
   put_files(scene);
+  put_accept(scene);
   put(scene, "water", water, false);
   put(scene, "tow", tow, false);
   put(scene, "bed", bed, false);

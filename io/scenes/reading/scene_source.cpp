@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scenes/reading/scene_source.hpp"
 
+#include "io/formats/toml/accepted_warnings.hpp"
 #include "io/formats/work/long_work.hpp"
 #include "io/gears/catalogue/part_choice.hpp"
 #include "io/gears/meshing/division.hpp"
-
 #include "io/gears/meshing/recent.hpp"
 #include "io/gears/plan/checked_plan.hpp"
 #include "io/gears/plan/read_plan.hpp"
@@ -58,7 +58,7 @@ class SceneReader {
         meshes_(folder, diagnostics),
         gear_(plan ? std::make_unique<GearParts>(*plan, root_, elements_, draft_, divisions)
                    : std::make_unique<GearSteps>()) {
-    root_.has("catalogue");  // read already, by SceneCatalogue
+    for (const char* key : {"catalogue", "accept"}) root_.has(key);  // SceneSource reads these keys
     if (!plan) refuse_tables_of_plans(root_);
   }
 
@@ -186,6 +186,7 @@ class SceneSource::Memory {
     LoadedScene loaded = SceneReader(root, plan ? &plan->plan : nullptr, divisions_, file_.parent_path(),
                                      registry, diagnostics, refused)
                              .read();
+    formats::accept_warnings(root, diagnostics);
     loaded.scene.name = file_.stem().string();
     loaded.strengths.merge(strengths);
     if (auto& start = loaded.analysis.dynamics.start_file; !start.empty())
@@ -207,6 +208,7 @@ class SceneSource::Memory {
     if (diagnostics.errors() == 0) gears::check_seams(plan->plan, diagnostics);
     if (diagnostics.errors() == 0)
       SceneReader(root, &plan->plan, divisions_, file_.parent_path(), registry, diagnostics, refused).check();
+    formats::accept_warnings(root, diagnostics);
     return plan->plan;
   }
 

@@ -53,17 +53,20 @@ class Gears(InFreshFolder):
         self.assertEqual(run.code, 2)
         self.assertIn('slip.toml:21:39: error: top-wing.breast-cut: cutting "381M" is not a rate; 3B1M, 43 M over 25.8 M, fits',
                       run.err)
-        self.assertIn("warning: top-wing.aft: the cuttings give 129.7 meshes, but the plan says 127.5, +1.7 %", run.err)
+        self.assertIn("2 warnings accepted: top-wing.aft (the printed plan says so", run.out)
 
     def test_findings_for_a_program(self):
         self.write("slip.toml", SLIP)
-        findings = self.netloft("check", "slip.toml", "--json").json()["findings"]
-        self.assertEqual([f["severity"] for f in findings], ["warning", "error", "warning"])
-        self.assertEqual(findings[1]["at"], "slip.toml:21:39")
+        said = self.netloft("check", "slip.toml", "--json").json()
+        self.assertEqual([(f["severity"], f["at"]) for f in said["findings"]], [("error", "slip.toml:21:39")])
+        self.assertEqual(said["findings"][0]["changes"], ['panels.top-wing.outer[0].cut="3B1M out"'])
+        self.assertEqual([(f["severity"], f["at"]) for f in said["accepted"]],
+                         [("warning", "slip.toml:20:7"), ("warning", "slip.toml:102:1")])
+        self.assertIn("83.9 ft", said["accepted"][1]["reason"])
 
     def test_a_proposal_removes_its_message(self):
         self.write("slip.toml", SLIP)
-        change = self.netloft("check", "slip.toml", "--json").json()["findings"][1]["changes"][0]
+        change = self.netloft("check", "slip.toml", "--json").json()["findings"][0]["changes"][0]
         self.assertEqual(self.netloft("check", "slip.toml", "--set", change).code, 0)
 
     def test_outlines_for_a_program(self):
@@ -74,7 +77,7 @@ class Gears(InFreshFolder):
     def test_a_value_can_be_set(self):
         run = self.netloft("check", str(GEARS[0]), "--set", "panels.top-wing.aft=129.7")
         self.assertEqual(run.code, 0)
-        self.assertNotIn("top-wing.aft", run.err)
+        self.assertNotIn("warning: top-wing.aft", run.err)
 
     def test_a_value_of_a_part_that_is_named_can_be_set(self):
         page = (SOURCE / "io/gears/GEAR.md").read_text()
@@ -87,6 +90,24 @@ class Gears(InFreshFolder):
         self.assertIn("--set bodies.door.board.lift: error: bodies.door.board.lift = -9 is outside", run.err)
         run = self.netloft("check", "with-boards.toml", "--set", "panels.upper.twine.diameter=40 mm")
         self.assertIn("twines of 40 mm leave no opening in meshes of 60 mm", run.err)
+
+    def test_an_accepted_warning_is_not_shown_until_its_numbers_change(self):
+        self.write("eastern.toml", EASTERN)
+        for command in (("check",), ("draw", "-o", "plan.svg"), ("plan", "--set", "gear.nodes=200")):
+            run = self.netloft(command[0], "eastern.toml", *command[1:])
+            self.assertNotIn("warning:", run.err, command)
+        run = self.netloft("check", "eastern.toml", "--set", "ropes.headrope.length=25.4 m")
+        self.assertIn("warning: headrope is 25.4 m long", run.err)
+        self.assertIn('warning: accept[1].warning: no warning begins with "headrope is 25.3 m long', run.err)
+        self.assertIn("1 warning accepted: top-wing.aft (", run.out)
+        run = self.netloft("draw", "eastern.toml", "--set", "ropes.headrope.length=25.4 m", "-o", "plan.svg")
+        self.assertIn("warning: accept[1].warning: no warning begins with", run.err)
+
+    def test_a_warning_is_accepted_with_a_reason(self):
+        self.write("eastern.toml", EASTERN + '[[accept]]\nwarning = "headrope"\n')
+        run = self.netloft("check", "eastern.toml")
+        self.assertEqual(run.code, 2)
+        self.assertIn('error: missing key "reason" in accept[2]', run.err)
 
     def test_a_changed_gear_is_three_lines(self):
         self.write("eastern.toml", EASTERN)

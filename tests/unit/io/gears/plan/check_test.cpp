@@ -8,6 +8,13 @@ bool says(const CheckedPlan& checked, const std::string& words) {
   return checked.said().find(words) != std::string::npos;
 }
 
+/// Whether the plan accepts a warning that begins with these words.
+bool accepts(const CheckedPlan& checked, const std::string& words) {
+  for (const auto& warning : checked.diagnostics.accepted())
+    if (warning.message.starts_with(words)) return true;
+  return false;
+}
+
 std::string with_the_slip() {
   std::string text = library_text("83-112-eastern.toml");
   const std::string right = "cut = \"3B1M out\"";
@@ -17,16 +24,15 @@ std::string with_the_slip() {
 /// The wing of the published plan, computed by hand: 3 + 43 + 133.7 - 70·2.5/3.5 = 129.7 meshes.
 TEST(EasternTrawl, TheLibraryGearCanBeSewn) {
   const auto checked = check_text(library_text("83-112-eastern.toml"));
-  EXPECT_EQ(checked.diagnostics.errors(), 0) << checked.said();
-  EXPECT_EQ(checked.diagnostics.warnings(), 2) << checked.said();
-  EXPECT_TRUE(says(checked, "top-wing.aft: the cuttings give 129.7 meshes, but the plan says 127.5, +1.7 %"))
-      << checked.said();
+  EXPECT_EQ(checked.diagnostics.errors() + checked.diagnostics.warnings(), 0) << checked.said();
+  EXPECT_TRUE(
+      accepts(checked, "top-wing.aft: the cuttings give 129.7 meshes, but the plan says 127.5, +1.7 %"));
 }
 
 /// The edges need 2·36 + 11.9 ft = 83.9 ft = 25.57 m of the headrope, which is 83 ft = 25.3 m long.
 TEST(EasternTrawl, TheHeadropeIsAFootShort) {
-  EXPECT_TRUE(says(check_text(library_text("83-112-eastern.toml")),
-                   "headrope is 25.3 m long, but edges take 25.57 m of it"));
+  EXPECT_TRUE(accepts(check_text(library_text("83-112-eastern.toml")),
+                      "headrope is 25.3 m long, but edges take 25.57 m of it"));
 }
 
 TEST(EasternTrawl, TheSlipOfThePrintedPlanIsFoundAndNamed) {
@@ -35,8 +41,8 @@ TEST(EasternTrawl, TheSlipOfThePrintedPlanIsFoundAndNamed) {
   EXPECT_TRUE(
       says(checked, "top-wing.breast-cut: cutting \"381M\" is not a rate; 3B1M, 43 M over 25.8 M, fits"))
       << checked.said();
-  EXPECT_TRUE(says(checked, "top-wing.aft: the cuttings give 129.7 meshes, but the plan says 127.5, +1.7 %"))
-      << checked.said();
+  EXPECT_TRUE(
+      accepts(checked, "top-wing.aft: the cuttings give 129.7 meshes, but the plan says 127.5, +1.7 %"));
 }
 
 TEST(EasternTrawl, TheSlipIsFoundAlsoWhereTheOtherCutTakesTheRest) {

@@ -86,5 +86,13 @@ TEST(TriedCures, NothingIsProposedThatWasNotTried) {
   EXPECT_TRUE(said.sorted()[0].changes.empty());
 }
 
+/// A change of the plan that turns an accepted warning into an error is no cure.
+TEST(TriedCures, AnAcceptedWarningMayNotBecomeWorse) {
+  const auto checked =
+      check_text(replaced(library_text("83-112-eastern.toml"), "meshes = 72", "meshes = 720"));
+  const std::string hint = hint_of(checked, "hang[0]");
+  EXPECT_TRUE(hint.starts_with("panels.top-body.fore[0].meshes = 72")) << checked.said();
+}
+
 }  // namespace
 }  // namespace netloft::gears

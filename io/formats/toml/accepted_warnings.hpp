@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/formats/toml/value.hpp"
+
+namespace netloft::formats {
+
+/// A warning that the author of a document accepts:
+///
+///   [[accept]]
+///   warning = "top-wing.aft"      # the words with which the warning begins
+///   reason = "the sheet says so"
+///
+/// An entry means one warning: that which begins with its words, whole words or numbers. If several warnings
+/// begin so, none is accepted.
+
+/// Marks the warnings that the key `accept` of a document names.
+void mark_accepted(const Value& root, Diagnostics& diagnostics);
+
+/// Marks them, refuses entries without a warning or a reason, and, unless there are errors, warns of entries
+/// that do not mean exactly one warning. Call it once, after all warnings are known.
+void accept_warnings(const Value& root, Diagnostics& diagnostics);
+
+}  // namespace netloft::formats
