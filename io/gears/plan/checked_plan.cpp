@@ -10,9 +10,10 @@ namespace netloft::gears {
 
 namespace {
 
-NetPlan read_and_check(const std::optional<PlanDocument>& document, formats::Diagnostics& diagnostics) {
+NetPlan read_and_check(const std::optional<PlanDocument>& document, HintTrials trials,
+                       formats::Diagnostics& diagnostics) {
   if (!document) return {};
-  NetPlan plan = read_and_check(document->root, document->catalogue, diagnostics);
+  NetPlan plan = read_and_check(document->root, document->catalogue, trials, diagnostics);
   formats::accept_warnings(document->root, diagnostics);
   plan.files = document->files;
   return plan;
@@ -20,24 +21,24 @@ NetPlan read_and_check(const std::optional<PlanDocument>& document, formats::Dia
 
 }  // namespace
 
-NetPlan read_and_check(const formats::Value& root, const Catalogue& catalogue,
+NetPlan read_and_check(const formats::Value& root, const Catalogue& catalogue, HintTrials trials,
                        formats::Diagnostics& diagnostics) {
   NetPlan plan = read_plan(root, catalogue, diagnostics);
   if (diagnostics.errors() == 0) check_plan(plan, diagnostics);
   formats::mark_accepted(root, diagnostics);
-  try_cures(root, catalogue, diagnostics);
+  if (trials == HintTrials::of_all || diagnostics.errors()) try_cures(root, catalogue, diagnostics);
   return plan;
 }
 
 NetPlan read_and_check(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                        formats::Diagnostics& diagnostics) {
   const formats::LongWork reading({"reading", file.native()});
-  return read_and_check(PlanDocument::load(file, overrides, diagnostics), diagnostics);
+  return read_and_check(PlanDocument::load(file, overrides, diagnostics), HintTrials::of_errors, diagnostics);
 }
 
 NetPlan read_and_check_text(const std::string& text, const std::string& name,
                             formats::Diagnostics& diagnostics) {
-  return read_and_check(PlanDocument::parse(text, name, diagnostics), diagnostics);
+  return read_and_check(PlanDocument::parse(text, name, diagnostics), HintTrials::of_all, diagnostics);
 }
 
 }  // namespace netloft::gears

@@ -4,17 +4,21 @@
 
 namespace netloft::gears {
 
+/// Whose hints are tried (tried_cures.hpp). A plan is read and checked again for every trial, so that a run
+/// whose plan has mere warnings does without.
+enum class HintTrials { of_errors, of_all };
+
 /// Reads a plan from its tables, checks whether the net can be sewn, and tries what the hints propose.
 /// Warnings that the key `accept` names are marked as accepted.
-NetPlan read_and_check(const formats::Value& root, const Catalogue& catalogue,
+NetPlan read_and_check(const formats::Value& root, const Catalogue& catalogue, HintTrials trials,
                        formats::Diagnostics& diagnostics);
 
-/// Reads and checks the plan in a file, with `overrides` applied; entries of `accept` that match nothing are
-/// reported.
+/// Reads and checks the plan in a file for use, with `overrides` applied. Entries of `accept` that match
+/// nothing are reported.
 NetPlan read_and_check(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                        formats::Diagnostics& diagnostics);
 
-/// Reads and checks a plan in memory.
+/// Reads and checks a plan in memory, and tries all hints.
 NetPlan read_and_check_text(const std::string& text, const std::string& name,
                             formats::Diagnostics& diagnostics);
 

@@ -141,6 +141,7 @@ class SceneReader {
 struct PlanInput {
   formats::Value tables;
   std::shared_ptr<const gears::Catalogue> catalogue;
+  gears::HintTrials trials;
   bool operator==(const PlanInput&) const = default;
 };
 
@@ -154,7 +155,7 @@ struct PlanRead {
 /// messages yet.
 std::shared_ptr<const PlanRead> read_and_check(const PlanInput& input, formats::Diagnostics said) {
   auto read = std::make_shared<PlanRead>();
-  read->plan = gears::read_and_check(input.tables, *input.catalogue, said);
+  read->plan = gears::read_and_check(input.tables, *input.catalogue, input.trials, said);
   read->messages = said.messages();
   return read;
 }
@@ -181,7 +182,8 @@ class SceneSource::Memory {
     if (diagnostics.errors()) return {};
     SceneCatalogue catalogue(catalogue_, root, file_.parent_path(), diagnostics);
     std::map<std::string, Strength> strengths;
-    const auto plan = read_plan(root, catalogue, registry, diagnostics, strengths);
+    const auto plan =
+        read_plan(root, catalogue, registry, gears::HintTrials::of_errors, diagnostics, strengths);
     if (plan && diagnostics.errors()) return {};  // the rest of the scene cannot be checked without the gear
     LoadedScene loaded = SceneReader(root, plan ? &plan->plan : nullptr, divisions_, file_.parent_path(),
                                      registry, diagnostics, refused)
@@ -203,7 +205,7 @@ class SceneSource::Memory {
     if (diagnostics.errors()) return {};
     SceneCatalogue catalogue(catalogue_, root, file_.parent_path(), diagnostics);
     std::map<std::string, Strength> strengths;
-    const auto plan = read_plan(root, catalogue, registry, diagnostics, strengths);
+    const auto plan = read_plan(root, catalogue, registry, gears::HintTrials::of_all, diagnostics, strengths);
     if (!plan) return gears::read_plan(root, *catalogue.load(), diagnostics);  // reports the missing plan
     if (diagnostics.errors() == 0) gears::check_seams(plan->plan, diagnostics);
     if (diagnostics.errors() == 0)
@@ -227,12 +229,13 @@ class SceneSource::Memory {
   /// Replaces the names of catalogue parts in a scene by their numbers, and reads its plan; nullptr if there
   /// is none.
   std::shared_ptr<const PlanRead> read_plan(formats::Value& root, SceneCatalogue& catalogue,
-                                            Registry& registry, formats::Diagnostics& diagnostics,
+                                            Registry& registry, gears::HintTrials trials,
+                                            formats::Diagnostics& diagnostics,
                                             std::map<std::string, Strength>& strengths) {
     const bool is_there = gears::holds_plan(root);
     formats::Value tables = is_there ? gears::tables_of_plan(root) : formats::Value{};
     put_catalogue_parts(root, catalogue, registry, diagnostics, strengths);
-    return is_there ? read_plan({std::move(tables), catalogue.load()}, diagnostics) : nullptr;
+    return is_there ? read_plan({std::move(tables), catalogue.load(), trials}, diagnostics) : nullptr;
   }
 
   /// Reads the plan, or returns the stored one for an equal input. After an error in the scene, the plan is
