@@ -14,6 +14,8 @@
 #include <map>
 #include <optional>
 #include <sstream>
+#include <tuple>
+#include <utility>
 
 namespace netloft::gears {
 

@@ -65,11 +65,15 @@ std::vector<const gears::CataloguePart*> asked_for(const gears::Catalogue& catal
 
 [[noreturn]] void refuse(const gears::Catalogue& catalogue, const std::string& word) {
   std::vector<std::string> names;
-  for (const auto& kind : gears::part_kinds()) names.emplace_back(kind.name);
+  std::string kinds;
+  for (const auto& kind : gears::part_kinds()) {
+    names.emplace_back(kind.name);
+    kinds += (kinds.empty() ? "" : ", ") + names.back();
+  }
   for (const auto& part : catalogue.parts()) names.push_back(part.name);
   const auto near = nearest(word, names);
   throw UsageError{"there is no part and no kind of parts \"" + word + "\" in the catalogue" +
-                   (near ? "; did you mean \"" + *near + "\"?" : "")};
+                   (near ? "; did you mean \"" + *near + "\"?" : "") + " (kinds: " + kinds + ")"};
 }
 
 }  // namespace

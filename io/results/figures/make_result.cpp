@@ -147,6 +147,10 @@ Result make_result(const scenes::LoadedScene& loaded, Assembler& assembler, cons
   add_loads(result.figures, largest_twine_tensions(loaded.scene, assembler, answer.outputs),
             result.materials);
   result.warnings = find_warnings(loaded, assembler, answer, laws, solution.residual, result);
+  if (result.outcome == "unstable" && result.swing && result.swing->frequency > 0)
+    result.diagnostics.push_back(
+        "if the figures change by little enough, per metre that " + result.swing->furthest +
+        " moves, analysis.swinging = \"accepted\" takes this equilibrium as the middle of the swing");
   return result;
 }
 
