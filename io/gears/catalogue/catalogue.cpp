@@ -147,19 +147,34 @@ Catalogue Catalogue::load(const std::vector<std::filesystem::path>& folders,
 
 Catalogue Catalogue::load_file(const std::filesystem::path& file, formats::Diagnostics& diagnostics) {
   Catalogue catalogue;
-  catalogue.read_file(file, 0, diagnostics);
+  catalogue.read(formats::Document::load(file, {}, diagnostics), file, 0, diagnostics);
+  return catalogue;
+}
+
+Catalogue Catalogue::recall(const std::vector<formats::SourceFile>& files,
+                            formats::Diagnostics& diagnostics) {
+  Catalogue catalogue;
+  std::size_t first_of_folder = 0;
+  std::filesystem::path folder;
+  for (const auto& file : files) {
+    const std::filesystem::path path = file.path;
+    if (path.extension() != ".toml") continue;
+    if (path.parent_path() != folder) first_of_folder = catalogue.parts_.size();
+    folder = path.parent_path();
+    catalogue.read(formats::Document::recall({file}, {}, diagnostics), path, first_of_folder, diagnostics);
+  }
   return catalogue;
 }
 
 void Catalogue::read_folder(const std::filesystem::path& folder, formats::Diagnostics& diagnostics) {
   folders_.push_back(folder);
   const std::size_t first_of_folder = parts_.size();
-  for (const auto& file : toml_files(folder)) read_file(file, first_of_folder, diagnostics);
+  for (const auto& file : toml_files(folder))
+    read(formats::Document::load(file, {}, diagnostics), file, first_of_folder, diagnostics);
 }
 
-void Catalogue::read_file(const std::filesystem::path& file, std::size_t first_of_folder,
-                          formats::Diagnostics& diagnostics) {
-  const formats::Document document = formats::Document::load(file, {}, diagnostics);
+void Catalogue::read(const formats::Document& document, const std::filesystem::path& file,
+                     std::size_t first_of_folder, formats::Diagnostics& diagnostics) {
   files_.insert(files_.end(), document.files().begin(), document.files().end());
   formats::TableReader root(document.root(), diagnostics);
   const FileHead head = read_head(root);

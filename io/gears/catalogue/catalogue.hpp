@@ -42,6 +42,10 @@ class Catalogue {
 
   static Catalogue load_file(const std::filesystem::path& file, formats::Diagnostics& diagnostics);
 
+  /// The parts in files that were read earlier, in that order; no file is opened. Files in one folder belong
+  /// together, and those that are not TOML are left out.
+  static Catalogue recall(const std::vector<formats::SourceFile>& files, formats::Diagnostics& diagnostics);
+
   /// Adds `by` to the file index of all places. Needed after the catalogue's files were appended to those of
   /// other diagnostics.
   void shift_files(int by);
@@ -57,8 +61,8 @@ class Catalogue {
 
  private:
   void read_folder(const std::filesystem::path& folder, formats::Diagnostics& diagnostics);
-  void read_file(const std::filesystem::path& file, std::size_t first_of_folder,
-                 formats::Diagnostics& diagnostics);
+  void read(const formats::Document& document, const std::filesystem::path& file, std::size_t first_of_folder,
+            formats::Diagnostics& diagnostics);
   void add(CataloguePart part, const formats::Place& place, std::size_t first_of_folder,
            formats::Diagnostics& diagnostics);
 

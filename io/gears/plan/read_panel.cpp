@@ -181,12 +181,25 @@ double diameter_of(const formats::Value& twine, const std::string& path, formats
   return reader.has("diameter") ? reader.real("diameter", {.unit = "m", .range = formats::between(0, 1)}) : 0;
 }
 
+/// Refuses a mesh size without a unit that is as large as millimetres are. Meshes of some metres exist, in
+/// the fore parts of pelagic trawls, and can be said with their unit.
+void check_unit(const Panel& panel, formats::TableReader& table) {
+  constexpr double kLarge = 2;  // [m]
+  if (table.kind("mesh") == formats::Kind::text || panel.mesh < kLarge) return;
+  table.error(
+      "mesh",
+      fmt::format("{:g} means meshes of {:g} m, because numbers without a unit are in metres", panel.mesh,
+                  panel.mesh),
+      fmt::format("write mesh = \"{:g} mm\", or \"{:g} m\" if that is meant", panel.mesh, panel.mesh));
+}
+
 void read_material(Panel& panel, formats::TableReader& table, const Catalogue& catalogue) {
   const CataloguePart* netting = read_netting(table, catalogue);
-  if (table.has("mesh") || !netting)
+  if (table.has("mesh") || !netting) {
     panel.mesh =
         table.real("mesh", {.unit = "m", .doc = "stretched mesh size", .range = formats::between(1e-4, 100)});
-  else
+    check_unit(panel, table);
+  } else
     panel.mesh = netting->numbers.at("mesh");
   ChosenPart twine = table.has("twine") || !netting ? read_part_choice(table, "twine", "twine", catalogue)
                                                     : twine_of(*netting, table.place("netting"), catalogue);

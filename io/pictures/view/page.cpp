@@ -5,9 +5,11 @@
 #include "io/pictures/picture/sheet.hpp"
 #include "io/pictures/view/key_figures.hpp"
 #include "io/pictures/view/page_parts.hpp"
+#include "io/pictures/view/plan_drawing.hpp"
 #include "io/pictures/view/report_html.hpp"
 #include "io/pictures/view/result_json.hpp"
 #include "io/results/diff/varied_key.hpp"
+#include "io/results/figures/merged_scene.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -64,10 +66,19 @@ std::string pictures_html(const results::StoredShape& shape) {
   for (const auto& [view, words] :
        {std::pair{View::side, "From the side"}, {View::top, "From above"}, {View::front, "From the front"}})
     html += picture_html(shape, view, words);
-  if (const std::string plan = plan_sketch(shape); !plan.empty())
-    html += "<figure>" + plan.substr(plan.find("<svg")) + "<figcaption>The plan" +
-            (shape.result.is_half() ? ", of the half that was modelled" : "") + "</figcaption></figure>\n";
+  const std::string drawing = plan_drawing(shape.result);
+  const std::string plan = drawing.empty() ? plan_sketch(shape) : drawing;
+  if (!plan.empty())
+    html += "<figure class=\"plan\">" + plan.substr(plan.find("<svg")) + "<figcaption>The plan" +
+            (drawing.empty() && shape.result.is_half() ? ", of the half that was modelled" : "") +
+            "</figcaption></figure>\n";
   return html + "</section>\n";
+}
+
+/// The title of the gear, or else that of the scene.
+std::string heading_of(const results::Result& result) {
+  const auto conditions = results::conditions_of(result);
+  return !conditions.empty() && conditions.front().name == "gear" ? conditions.front().value : result.title;
 }
 
 }  // namespace
@@ -95,7 +106,7 @@ std::string view_page(const std::vector<const results::StoredShape*>& shapes, st
 
 std::string report_page(const results::StoredShape& shape) {
   const results::Result& result = shape.result;
-  return head(result.title, badge_html(result), kPageQuietPolicy) + "<main>\n<div class=\"sheet\">\n" +
+  return head(heading_of(result), badge_html(result), kPageQuietPolicy) + "<main>\n<div class=\"sheet\">\n" +
          summary_html(result) + key_figures_html({&result}) +
          picture_html(shape, View::oblique, "Obliquely from ahead") + deck_html(result) +
          "</div>\n<div class=\"sheet next-page\">\n" + materials_html(result) + rig_html(shape) +

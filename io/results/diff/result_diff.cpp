@@ -165,10 +165,14 @@ bool is_figure(const std::string& name) {
          (name.starts_with("gear/") && !principal_name(name.substr(5)).empty());
 }
 
-/// The share of a difference; or, if that is within its errors, its fraction of them, so that noise comes
-/// last.
-double weight_of(const NumberDifference& d) {
-  return std::isfinite(d.error()) && !d.exceeds() ? std::abs(d.difference()) / d.error() : d.share();
+/// A difference relative to the larger value; or, if that is within its errors, its fraction of them, so that
+/// noise comes last. A value that is small beside the largest of its unit counts as a hundredth of that one:
+/// a slack rope may pull or not.
+double weight_of(const NumberDifference& d, double largest) {
+  constexpr double kSmall = 0.01;
+  if (std::isfinite(d.error()) && !d.exceeds()) return std::abs(d.difference()) / d.error();
+  const double larger = std::fmax(std::abs(d.before), std::abs(d.after));
+  return d.share() * std::min(1.0, larger / (kSmall * largest));
 }
 
 std::vector<std::size_t> changed_figures(const std::vector<NumberDifference>& numbers,
@@ -176,9 +180,14 @@ std::vector<std::size_t> changed_figures(const std::vector<NumberDifference>& nu
   std::vector<std::size_t> figures;
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (is_figure(numbers[i].name) && numbers[i].is_changed()) figures.push_back(i);
+  std::map<std::string, double> largest;  // by unit
+  for (const std::size_t i : figures)
+    for (const double value : {numbers[i].before, numbers[i].after})
+      if (std::isfinite(value))
+        largest[numbers[i].unit] = std::max(largest[numbers[i].unit], std::abs(value));
   const auto rank = [&](std::size_t i) {
     const auto& d = numbers[i];
-    return std::tuple(d.is_exact(), !d.exceeds(), !keys.contains(d.name), -weight_of(d));
+    return std::tuple(d.is_exact(), !d.exceeds(), !keys.contains(d.name), -weight_of(d, largest[d.unit]));
   };
   std::ranges::stable_sort(figures, {}, rank);
   return figures;

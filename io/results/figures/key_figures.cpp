@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/figures/key_figures.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string_view>
 
 namespace netloft::results {
@@ -28,7 +30,10 @@ std::vector<const NamedScalar*> key_figures(const Result& result) {
   add("pairs/", "/spread");
   add("drag/all/x", "");
   add("towing/pull", "");
+  const auto first_pull = static_cast<std::ptrdiff_t>(keys.size());
   add("rigging/", "/tension_start");
+  std::ranges::stable_sort(keys.begin() + first_pull, keys.end(), std::ranges::greater{},
+                           [](const NamedScalar* figure) { return figure->value; });
   for (const auto& scalar : result.scalars) keys.push_back(&scalar);
   if (keys.size() > kMost) keys.resize(kMost);
   return keys;

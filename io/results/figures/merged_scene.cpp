@@ -52,19 +52,20 @@ std::vector<Condition> conditions_of(const Result& result) {
   const auto scene = result.gear ? merged_scene(result.origins, unused) : std::nullopt;
   std::vector<Condition> all;
   if (!scene) return all;
-  const auto add = [&](const char* name, std::initializer_list<std::string_view> path) {
+  const auto add = [&](const char* name, std::initializer_list<std::string_view> path,
+                       const std::string& unit = "") {
     const formats::Value* value = find(*scene, path);
     if (!value || value->as<formats::Table>()) return;
     const auto* text = value->as<std::string>();
-    all.push_back({name, text ? *text : spell_value(*value)});
+    all.push_back({name, text ? *text : spell_value(*value) + unit});
   };
   add(kTitle, {"gear", "title"});
   add(kSource, {"gear", "source"});
-  add("speed of the ship", {"ship", "speed"});
-  add("speed of the tow", {"tow", "speed"});
-  add("current", {"water", "current"});
-  add("depth", {"bed", "depth"});
-  add("warp", {"ship", "warp", "length"});
+  add("speed of the ship", {"ship", "speed"}, " m/s");
+  add("speed of the tow", {"tow", "speed"}, " m/s");
+  add("current", {"water", "current"}, " m/s");
+  add("depth", {"bed", "depth"}, " m");
+  add("warp", {"ship", "warp", "length"}, " m");
   return all;
 }
 

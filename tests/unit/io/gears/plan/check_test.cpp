@@ -112,5 +112,19 @@ TEST(PlanCheck, ARopeOfTheMiddleCarriesBothWings) {
       << checked.said();
 }
 
+TEST(Check, TakesAMeshSizeOfMetresWithItsUnitOnly) {
+  std::string plan = kGoodPlan;
+  const auto at = plan.find("mesh = ");
+  plan.replace(at, plan.find('\n', at) - at, "mesh = 60");
+  const std::string said = check_text(plan).said();
+  EXPECT_NE(
+      said.find("panels.wing.mesh: 60 means meshes of 60 m, because numbers without a unit are in metres"),
+      std::string::npos)
+      << said;
+  EXPECT_NE(said.find("write mesh = \"60 mm\""), std::string::npos) << said;
+  plan.replace(plan.find("mesh = 60"), 9, "mesh = \"60 m\"");
+  EXPECT_EQ(check_text(plan).said().find("means meshes"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace netloft::gears
