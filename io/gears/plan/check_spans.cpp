@@ -39,17 +39,16 @@ class RopeWays {
     return at == numbers_.end() ? std::nullopt : std::optional(at->second);
   }
 
-  /// Lengths of the shortest paths along ropes from one vertex to each other one [m]; infinity for vertices
-  /// that are more than `most` away (E. W. Dijkstra 1959).
-  std::vector<double> from(std::size_t start, double most = kFar) const {
-    std::vector<double> lengths(ways_.size(), kFar);
+  /// Lengths of the shortest paths along ropes from one vertex to those within `most` of it [m] (E. W.
+  /// Dijkstra 1959). The work is in proportion to the number of these vertices.
+  std::unordered_map<std::size_t, double> from(std::size_t start, double most = kFar) const {
+    std::unordered_map<std::size_t, double> lengths;
     using Reached = std::pair<double, std::size_t>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> next;
     for (next.push({0, start}); !next.empty() && next.top().first <= most;) {
       const auto [length, at] = next.top();
       next.pop();
-      if (lengths[at] < kFar) continue;
-      lengths[at] = length;
+      if (!lengths.emplace(at, length).second) continue;
       for (const Way& way : ways_[at]) next.push({length + way.length, way.to});
     }
     return lengths;
@@ -97,7 +96,7 @@ void check_loops(const Gear& gear, const RopeWays& ways, formats::Diagnostics& d
     const bool is_across = !rope.middle.empty();
     const double length = is_across ? rope.length / 2 : rope.length;
     const auto reached = ways.from(*ways.find(rope.name + ".end"), length * 1e-6);
-    if (!std::isfinite(reached[*ways.find(rope.name + (is_across ? ".middle" : ".start"))])) continue;
+    if (!reached.contains(*ways.find(rope.name + (is_across ? ".middle" : ".start")))) continue;
     diagnostics.error(rope.rope->between_place,
                       fmt::format("ropes.{}.between: both ends of the rope are one point", rope.rope->name),
                       "a rope leads from one point to another");
@@ -119,8 +118,10 @@ void check_spans(const NetPlan& plan, const CheckLimits& limits, formats::Diagno
     for (std::size_t j = i + 1; j < gear.points.size(); ++j) {
       const GearPoint& b = gear.points[j];
       const auto other = ways.find(b.name);
-      if (!b.at || !other || distance(a, b) <= reached[*other] * (1 + limits.short_rope)) continue;
-      if (said.emplace(a.point, b.point).second) say_too_short(a, b, reached[*other], diagnostics);
+      const auto length = other ? reached.find(*other) : reached.end();
+      if (!b.at || length == reached.end() || distance(a, b) <= length->second * (1 + limits.short_rope))
+        continue;
+      if (said.emplace(a.point, b.point).second) say_too_short(a, b, length->second, diagnostics);
     }
   }
 }

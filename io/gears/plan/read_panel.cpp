@@ -185,7 +185,11 @@ double diameter_of(const formats::Value& twine, const std::string& path, formats
 /// the fore parts of pelagic trawls, and can be said with their unit.
 void check_unit(const Panel& panel, formats::TableReader& table) {
   constexpr double kLarge = 2;  // [m]
-  if (table.kind("mesh") == formats::Kind::text || panel.mesh < kLarge) return;
+  const formats::Value* written = table.raw("mesh");
+  const double* real = written ? written->as<double>() : nullptr;
+  const std::int64_t* whole = written ? written->as<std::int64_t>() : nullptr;
+  const double number = real ? *real : whole ? static_cast<double>(*whole) : 0;
+  if (number < kLarge || number != panel.mesh) return;  // a number out of range is reported already
   table.error(
       "mesh",
       fmt::format("{:g} means meshes of {:g} m, because numbers without a unit are in metres", panel.mesh,
