@@ -308,6 +308,25 @@ test('a dimension line is drawn where both its ends are in the picture', async (
   assert.ok(outside.drawnLines >= 6, `${outside.drawnLines} lines`);
 });
 
+test('words of dimension lines lie over no others', async () => {
+  const {page} = await opened('trawl', 'trawl');
+  const {over, words} = await page.evaluate(() => {
+    const v = window.netloftViewer, clashes = [];
+    const overlap = (a, b) => a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+    let count = 0;
+    for (const view_ of ['side', 'top', 'front', 'oblique']) {
+      v.look(view_);
+      v.drawNow();
+      const boxes = [...document.querySelectorAll('#dimensions text.dimension')].map((text) => text.getBBox());
+      count += boxes.length;
+      boxes.forEach((one, i) => boxes.slice(i + 1).forEach((other) => { if (overlap(one, other)) clashes.push(view_); }));
+    }
+    return {over: clashes, words: count};
+  });
+  assert.deepEqual(over, []);
+  assert.ok(words >= 6, `${words} words`);
+});
+
 test('a motion is played, again from its start, until it is stopped', async () => {
   const {page} = await opened('motion', 'motion');
   const index = () => page.evaluate(() => window.netloftViewer.frames.index), last = await page.evaluate(() => window.netloftViewer.frames.all.length - 1);

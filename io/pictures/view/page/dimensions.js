@@ -2,16 +2,30 @@
 // Dimension lines over the picture: which there are, the result says.
 
 const LEAST_DIMENSION = 24;  // pixels: shorter ones are seen from their end
+const PLACES_OF_WORDS = [0.5, 0.22, 0.62, 0.78, 0.35, 0.9, 0.1];  // along a line, the first that is free
 
-/** A line with an arrow at either end, its words at `along` of it. */
-function drawDimension(svg, a, b, text, along) {
+/** A line with an arrow at either end, its words where they hide none of those in the boxes `taken`. */
+function drawDimension(svg, a, b, words, taken, width) {
   const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
   if (length < LEAST_DIMENSION) return;
   const u = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
   const head = (tip, sign, side) => `M${tip[0]} ${tip[1]}l${sign * 9 * (u[0] - side * u[1])} ${sign * 9 * (u[1] + side * u[0])}`;
   const heads = [[a, 1], [b, -1]].flatMap(([tip, sign]) => [0.32, -0.32].map((side) => head(tip, sign, side))).join('');
   svg.append(svgElement('path', {d: `M${a[0]} ${a[1]}L${b[0]} ${b[1]}${heads}`, class: 'dimension'}));
-  svg.append(svgElement('text', {x: a[0] + along * (b[0] - a[0]) + 7, y: a[1] + along * (b[1] - a[1]) - 7, class: 'dimension'}, text));
+  const label = svgElement('text', {class: 'dimension'}, words);
+  svg.append(label);
+  for (const along of PLACES_OF_WORDS) {
+    const [x, y] = [a[0] + along * (b[0] - a[0]) + 7, a[1] + along * (b[1] - a[1]) - 7];
+    label.setAttribute('x', Math.max(0, Math.min(x, width - label.getBBox().width)));
+    label.setAttribute('y', y);
+    const box = label.getBBox();
+    if (!taken.some((other) => overlap(box, other))) break;
+  }
+  taken.push(label.getBBox());
+}
+
+function overlap(a, b) {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
 /** An end of a dimension, from the origin: a node, or (null) the bed below the other end. */
@@ -22,13 +36,12 @@ function dimensionEnd(model, end, other) {
 }
 
 function drawDimensions(svg, model, camera) {
-  let along = 0.5;  // lines that cross have their words in different places
+  const taken = [];
   for (const {name, from, to} of model.result.dimensions) {
     const a = dimensionEnd(model, from), b = dimensionEnd(model, to, a);
     const [p, q] = [a, b].map((end) => camera.project(end));
     if (![p, q].every(([x, y]) => x >= 0 && x <= camera.width && y >= 0 && y <= camera.height)) continue;  // its end would not be seen
-    drawDimension(svg, p, q, `${name} ${formatNumber(Math.hypot(...a.map((v, d) => v - b[d])), 3)} m`, along);
-    along = along === 0.5 ? 0.22 : 0.62;
+    drawDimension(svg, p, q, `${name} ${formatNumber(Math.hypot(...a.map((v, d) => v - b[d])), 3)} m`, taken, camera.width);
   }
 }
 

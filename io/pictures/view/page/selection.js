@@ -109,6 +109,6 @@ class Selection {
     svg.append(svgElement('path', {d: corners.map((c, i) => `${i ? 'L' : 'M'}${c[0]} ${c[1]}`).join('') + 'Z', class: 'selected'}));
     const at = camera.project(placeOfHit(model, this.hit));
     svg.append(svgElement('circle', {cx: at[0], cy: at[1], r: 7, class: 'selected'}));
-    if (this.before) drawDimension(svg, camera.project(placeOfHit(model, this.before)), at, `${formatNumber(this.distance())} m`, 0.5);
+    if (this.before) drawDimension(svg, camera.project(placeOfHit(model, this.before)), at, `${formatNumber(this.distance())} m`, [], camera.width);
   }
 }
