@@ -193,15 +193,13 @@ Document Document::parse(std::string text, const std::string& name, const std::v
   return document;
 }
 
-Document Document::recall(std::vector<SourceFile> files, const std::vector<std::string>& overrides,
-                          Diagnostics& diagnostics) {
+Document Document::recall(std::vector<SourceFile> files, Diagnostics& diagnostics) {
   Document document;
   if (files.empty()) return document;
   const fs::path scene = files.front().path;
   StoredTexts texts;
   for (SourceFile& file : files) texts.emplace(std::move(file.path), std::move(file.text));
   document.root_ = Loader(document.files_, diagnostics, &texts).load(scene, {});
-  for (const std::string& text : overrides) apply(document.root_, read_change(text), diagnostics);
   return document;
 }
 

@@ -35,8 +35,7 @@ class Document {
 
   /// Merges files that were read earlier, as files() listed them; no file is opened. An include whose text is
   /// not among them is an error.
-  static Document recall(std::vector<SourceFile> files, const std::vector<std::string>& overrides,
-                         Diagnostics& diagnostics);
+  static Document recall(std::vector<SourceFile> files, Diagnostics& diagnostics);
 
   /// The complete table, without `include`.
   const Value& root() const { return root_; }

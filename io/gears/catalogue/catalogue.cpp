@@ -161,7 +161,7 @@ Catalogue Catalogue::recall(const std::vector<formats::SourceFile>& files,
     if (path.extension() != ".toml") continue;
     if (path.parent_path() != folder) first_of_folder = catalogue.parts_.size();
     folder = path.parent_path();
-    catalogue.read(formats::Document::recall({file}, {}, diagnostics), path, first_of_folder, diagnostics);
+    catalogue.read(formats::Document::recall({file}, diagnostics), path, first_of_folder, diagnostics);
   }
   return catalogue;
 }

@@ -146,8 +146,7 @@ class CureTrials {
     NetPlan plan = read_plan(root, catalogue_, said);
     const bool was_read = said.errors() == 0;
     if (was_read) check_plan(plan, said);
-    if (was_read && said.errors()) {  // the check left its last steps out, which
-                                      // should not look new later
+    if (was_read && said.errors()) {  // the check has left these steps out; their messages are not new later
       check_loose_ropes(plan, {}, said);
       check_open_edges(plan, said);
     }

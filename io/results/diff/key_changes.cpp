@@ -88,7 +88,7 @@ std::optional<std::vector<KeyChange>> find_key_changes(const Origins& before, co
 std::optional<std::vector<KeyChange>> find_key_changes(const std::string& before, const std::string& after) {
   formats::Diagnostics unheard;
   const auto tables_of = [&](const std::string& text) {
-    return formats::Document::recall({{"text", text, ""}}, {}, unheard).root();
+    return formats::Document::recall({{"text", text, ""}}, unheard).root();
   };
   const Value a = tables_of(before), b = tables_of(after);
   return unheard.errors() ? std::nullopt : std::optional(changes_between(a, b));

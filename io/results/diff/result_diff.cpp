@@ -3,6 +3,7 @@
 
 #include "io/results/figures/figure_names.hpp"
 #include "io/results/figures/key_figures.hpp"
+#include "io/results/figures/merged_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,15 +76,11 @@ std::vector<NumberDifference> compare_numbers(const Result& before, const Result
   return all;
 }
 
-/// The options of a command line that choose a method: "--solver newton".
-std::set<std::string> options_of(const std::vector<std::string>& command) {
+/// The options of a command line that choose a method or a start: "--solver newton".
+std::set<std::string> options_of(const Origins& origins) {
   std::set<std::string> options;
-  for (std::size_t i = 0; i < command.size(); ++i)
-    for (const std::string option : {"--solver", "--strategy", "--start-from"}) {
-      if (command[i] == option && i + 1 < command.size()) options.insert(option + " " + command[i + 1]);
-      if (command[i].starts_with(option + "="))
-        options.insert(option + " " + command[i].substr(option.size() + 1));
-    }
+  for (const std::string option : {"--solver", "--strategy", "--start-from"})
+    for (const auto& value : values_of_option(origins, option)) options.insert(option + " " + value);
   return options;
 }
 
@@ -149,7 +146,7 @@ InputDifferences compare_inputs(const Origins& before, const Origins& after) {
   auto keys = find_key_changes(before, after, of_scenes);
   inputs.are_scenes_known = keys.has_value();
   if (keys) inputs.keys = std::move(*keys);
-  const auto a = options_of(before.command), b = options_of(after.command);
+  const auto a = options_of(before), b = options_of(after);
   inputs.options_before = only_in(a, b);
   inputs.options_after = only_in(b, a);
   inputs.files = compare_files(before.files, after.files, of_scenes);

@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/figures/merged_scene.hpp"
 
+#include "io/formats/toml/change.hpp"
 #include "io/formats/toml/document.hpp"
 #include "io/formats/toml/spelled_value.hpp"
+#include "io/gears/catalogue/part_choice.hpp"
 
 #include <string_view>
 
 namespace netloft::results {
 
 namespace {
-
-std::vector<std::string> overrides_of(const std::vector<std::string>& command) {
-  const std::string option = "--set";
-  std::vector<std::string> overrides;
-  for (std::size_t i = 0; i < command.size(); ++i) {
-    if (command[i] == option && i + 1 < command.size()) overrides.push_back(command[i + 1]);
-    if (command[i].starts_with(option + "=")) overrides.push_back(command[i].substr(option.size() + 1));
-  }
-  return overrides;
-}
 
 /// The value at a path of keys; nullptr if there is none.
 const formats::Value* find(const formats::Value& root, std::initializer_list<std::string_view> path) {
@@ -36,15 +28,28 @@ constexpr const char *kTitle = "gear", *kSource = "source";
 
 }  // namespace
 
+std::vector<std::string> values_of_option(const Origins& origins, const std::string& option) {
+  const auto& words = origins.command;
+  std::vector<std::string> values;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == option && i + 1 < words.size()) values.push_back(words[i + 1]);
+    if (words[i].starts_with(option + "=")) values.push_back(words[i].substr(option.size() + 1));
+  }
+  return values;
+}
+
 std::optional<formats::Value> merged_scene(const Origins& origins, std::set<std::string>& paths) {
   if (origins.files.empty()) return std::nullopt;
   std::vector<formats::SourceFile> files;
   for (const auto& file : origins.files) files.push_back({file.path, file.text, file.hash});
   formats::Diagnostics unheard;
-  auto document = formats::Document::recall(std::move(files), overrides_of(origins.command), unheard);
+  const auto document = formats::Document::recall(std::move(files), unheard);
+  formats::Value root = document.root();
+  for (const auto& text : values_of_option(origins, "--set"))
+    formats::apply(root, formats::read_change(text), unheard, gears::keys_that_name_parts());
   if (unheard.errors()) return std::nullopt;
   for (const auto& file : document.files()) paths.insert(file.path);
-  return document.root();
+  return root;
 }
 
 std::vector<Condition> conditions_of(const Result& result) {

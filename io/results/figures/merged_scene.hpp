@@ -10,6 +10,9 @@
 
 namespace netloft::results {
 
+/// The values of an option in the command line of a result, such as those of "--set".
+std::vector<std::string> values_of_option(const Origins& origins, const std::string& option);
+
 /// The scene of a result as one table, with its includes and the `--set` options of its command line. No file
 /// is opened. nullopt unless the result has the texts of all of its files, whose paths are added to `paths`.
 std::optional<formats::Value> merged_scene(const Origins& origins, std::set<std::string>& paths);

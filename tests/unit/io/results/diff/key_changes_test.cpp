@@ -56,6 +56,15 @@ TEST(KeyChanges, ReadTheFilesAndOptionsOfAResult) {
   EXPECT_EQ(spelled(find_key_changes(before, after, files)), "depth: 30 -> 40; tow.speed: 2 kn -> 2.5 kn");
 }
 
+TEST(KeyChanges, AreFoundBelowTheNameOfAPart) {
+  Origins before, after;
+  before.files = after.files = {{"net.toml", "", "[ropes.warp]\nrope = \"wire-16mm\"\n"}};
+  after.command = {"netloft", "run", "net.toml", "--set", "ropes.warp.rope.diameter=14 mm"};
+  std::set<std::string> files;
+  EXPECT_EQ(spelled(find_key_changes(before, after, files)),
+            "ropes.warp.rope: wire-16mm -> {part = \"wire-16mm\", diameter = \"14 mm\"}");
+}
+
 TEST(KeyChanges, AreNotKnownIfAFileIsMissing) {
   Origins before, after;
   std::set<std::string> files;
