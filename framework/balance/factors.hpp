@@ -25,6 +25,9 @@ class Factors {
   /// Solves with the last factor. Returns false and leaves x unchanged if no factor exists.
   bool solve(std::span<const double> rhs, std::span<double> x);
   void forget() { last_ = nullptr; }
+  /// Creates factorisations of other patterns.
+  const MakeFactorisation& make() const { return make_; }
+  Statistics& statistics() { return statistics_; }
 
   const FactorResult& last_result() const { return result_; }
   /// Description of the last factorisation, for reports; "none" if there was none.

@@ -4,6 +4,7 @@
 #include "framework/balance/statistics.hpp"
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace netloft {
@@ -32,6 +33,9 @@ class Matrices {
   /// Computes y[i] = sum of the absolute values in row i of A + σ M. Returns false if A has not been
   /// evaluated.
   bool row_sums(int matrix, double shift, double* y);
+
+  /// Gives away the array of a matrix, for its memory. The matrix has then not been evaluated.
+  std::vector<double> give_away(MatrixKind kind) { return std::exchange(slots(kind), {}); }
 
   /// Evaluates the linear stiffness M if this has not been done yet.
   void need_metric();

@@ -91,6 +91,9 @@ class StaticProblem {
   /// relative to the start.
   const std::vector<double>& x_low() const { return configuration_.x_low(); }
   void forget_factor() { factors_.forget(); }
+  /// The factorisations of this problem, for other matrices of the same pattern.
+  Factors& factors() { return factors_; }
+  Matrices& matrices() { return matrices_; }
   bool conservative() const { return interface_.traits & NETLOFT_CONSERVATIVE; }
   /// Discards the linear stiffness, because the properties of elements have changed.
   void forget_metric() { matrices_.forget_metric(); }

@@ -79,20 +79,22 @@ Stability stability_of(GrowthVerdict verdict) {
 
 /// Finds how fast disturbances grow at a point at which the gear has come to rest. For this, elements with
 /// friction remember this point instead of an earlier state.
-Growth find_growth_at_rest(const AssembledScene& scene, const Assessment& a, double gear_size) {
+Growth find_growth_at_rest(const AssembledScene& scene, const Assessment& a, StaticProblem& problem) {
   Assembler& assembler = scene.assembler;
   const std::vector<double> past = assembler.memory();
   if (!assembler.remember(a.x)) return {.verdict = GrowthVerdict::unknown};
-  Growth growth = find_growth(assembler, rest_place(a, gear_size), scene.make);
+  LinearMotion motion{.K = problem.matrices().give_away(MatrixKind::exact),
+                      .convex = problem.matrices().give_away(MatrixKind::convex)};
+  Growth growth = find_growth(assembler, rest_place(a, problem.scales().gear_size()), problem.factors(),
+                              std::move(motion));
   assembler.set_memory(past);
   return growth;
 }
 
 /// Determines the stability of a point if forces have no energy.
-void find_growing_motion(Assessment& a, const AssembledScene& scene, double gear_size) {
-  Growth growth = find_growth_at_rest(scene, a, gear_size);
+void find_growing_motion(Assessment& a, const AssembledScene& scene, StaticProblem& problem) {
+  Growth growth = find_growth_at_rest(scene, a, problem);
   a.stability = stability_of(growth.verdict);
-  a.judging.add(growth.cost);
   if (!growth.grows()) return;
   if (growth.swings()) a.stability = Stability::swinging;
   a.growing = {std::move(growth.mode), std::move(growth.mode_later), growth.rate, growth.frequency};
@@ -189,7 +191,7 @@ Assessment assess(StaticProblem& problem, const AssembledScene& of, const Judgin
     if (is_known)
       copy_stability(a, how.known->assessment);
     else
-      find_growing_motion(a, of, problem.scales().gear_size());
+      find_growing_motion(a, of, problem);
     why_unstable = growth_sentence(a, assembler, scene);
   }
   a.status = status_of(a, problem, how);
@@ -197,7 +199,7 @@ Assessment assess(StaticProblem& problem, const AssembledScene& of, const Judgin
   a.at_fault = a.growing.mode.empty() ? worst : node_of_growth(a, assembler, scene);
   a.reason = reason_of(a, ending, worst, why_unstable);
   if (how.known && !is_known && is_decided(a.stability)) *how.known = {a, assembler.memory()};
-  a.judging.add(since(before, problem.statistics()));
+  a.judging = since(before, problem.statistics());
   return a;
 }
 

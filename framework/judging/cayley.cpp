@@ -15,69 +15,58 @@ using Vector = Eigen::VectorXd;
 // Rounding error of K in (7) of cayley.hpp, relative to its entries.
 constexpr double kRoundingOfK = 10 * std::numeric_limits<double>::epsilon();
 
-/// Copies the non-zero values of a matrix.
-Eigen::SparseMatrix<double> make_sparse(const SparsePattern& p, std::span<const double> values) {
-  Eigen::SparseMatrix<double> A(p.size, p.size);
-  A.reserve(static_cast<Eigen::Index>(p.entries()));
-  for (std::int32_t c = 0; c < p.size; ++c) {
-    A.startVec(c);
-    const auto begin = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c)]),
-               end = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c) + 1]);
-    for (std::size_t k = begin; k < end; ++k)
-      if (const double value = values[p.slot_of(k)]; value != 0) A.insertBack(p.row[k], c) = value;
-  }
-  A.finalize();
-  if (p.symmetric) A = Eigen::SparseMatrix<double>(A.selfadjointView<Eigen::Lower>());
-  return A;
+/// Computes A y.
+Eigen::VectorXcd product(const SparsePattern& p, std::span<const double> A, const Eigen::VectorXcd& y) {
+  Eigen::VectorXcd to = Eigen::VectorXcd::Zero(y.size());
+  for_entries(
+      p, [&](std::int32_t r, std::int32_t c, double a) { to[r] += a * y[c]; }, A);
+  return to;
 }
 
 std::span<double> span_of(Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 
 }  // namespace
 
-Cayley::Cayley(const SparsePattern& p, const LinearMotion& m, Factorisation& factor, Statistics& cost)
-    : motion_(m),
-      K_(make_sparse(p, m.K)),
-      C_(make_sparse(p, m.C)),
-      M_(make_sparse(p, m.M)),
-      convex_(make_sparse(p, m.convex)),
-      K_error_(m.K_error.empty() ? Eigen::SparseMatrix<double>(p.size, p.size) : make_sparse(p, m.K_error)),
-      factor_(factor),
-      cost_(cost),
-      sum_(m.K.size()),
-      rhs_(p.size),
-      d_(p.size) {
-  const Vector masses = M_.cwiseAbs() * Vector::Ones(unknowns());
+Cayley::Cayley(const SparsePattern& p, const LinearMotion& m, Factors& factors)
+    : pattern_(p), motion_(m), factors_(factors), sum_(m.K.size()), rhs_(p.size), w_(p.size) {
+  Vector masses = Vector::Zero(p.size);
+  for_entries(
+      p, [&](std::int32_t r, std::int32_t, double mass) { masses[r] += std::abs(mass); }, m.M);
   dimension_ = unknowns() + (masses.array() > 0).count();
 }
 
 bool Cayley::set(double sigma) {
   sigma_ = sigma;
-  norm_ = convex_ + sigma * sigma * M_;
   for (std::size_t i = 0; i < sum_.size(); ++i)
     sum_[i] = motion_.K[i] + sigma * (motion_.C[i] + sigma * motion_.M[i]);
-  ++cost_.factorisations;
-  return factor_.factorise(sum_).status == FactorStatus::ok;
+  return factors_.factorise(pattern_, true, sum_) == NETLOFT_FACTOR_OK;
 }
 
 Vector Cayley::operator*(const Vector& z) {
   const auto y = z.head(unknowns()), v = z.tail(unknowns());
-  rhs_.noalias() = sigma_ * (M_ * v);
-  rhs_.noalias() -= K_ * y;
-  rhs_ *= 2;
-  factor_.solve(span_of(rhs_), span_of(d_));
-  ++cost_.solves;
+  const Vector sigma_y = sigma_ * y, carried = sigma_ * (sigma_y + v);
+  rhs_.setZero();
+  const auto add = [&](std::int32_t r, std::int32_t c, double damping, double mass) {
+    rhs_[r] += damping * sigma_y[c] + mass * carried[c];
+  };
+  for_entries(pattern_, add, motion_.C, motion_.M);
+  factors_.solve(span_of(rhs_), span_of(w_));
   Vector to(z.size());
-  to.head(unknowns()) = y + d_;
-  to.tail(unknowns()) = sigma_ * d_ - v;
+  to.head(unknowns()) = 2 * w_ - y;
+  to.tail(unknowns()) = 2 * sigma_ * (w_ - y) - v;
   return to;
 }
 
 Vector Cayley::weighed(const Vector& z) const {
   const auto y = z.head(unknowns()), v = z.tail(unknowns());
-  Vector to(z.size());
-  to.head(unknowns()).noalias() = norm_ * y;
-  to.tail(unknowns()).noalias() = M_ * v;
+  Vector to = Vector::Zero(z.size());
+  auto along_y = to.head(unknowns()), along_v = to.tail(unknowns());
+  const double square = sigma_ * sigma_;
+  const auto add = [&](std::int32_t r, std::int32_t c, double stiffness, double mass) {
+    along_y[r] += (stiffness + square * mass) * y[c];
+    along_v[r] += mass * v[c];
+  };
+  for_entries(pattern_, add, motion_.convex, motion_.M);
   return to;
 }
 
@@ -88,10 +77,18 @@ Vector Cayley::start() const {
 }
 
 bool Cayley::is_in_doubt(std::complex<double> s, const Eigen::VectorXcd& y) const {
-  const Eigen::VectorXcd driven = s * (C_ * y) + s * s * (M_ * y);
-  if (driven.norm() <= kRoundingOfK * (K_.cwiseAbs() * y.cwiseAbs()).norm()) return true;
-  const double wanted = y.dot(driven).real(), change = y.dot(K_error_ * y).real();
-  return s.imag() == 0 && wanted > 0 && change >= wanted;
+  const Eigen::VectorXcd driven =
+      s * product(pattern_, motion_.C, y) + s * s * product(pattern_, motion_.M, y);
+  Vector rounding = Vector::Zero(unknowns());
+  const auto add = [&](std::int32_t r, std::int32_t c, double stiffness) {
+    rounding[r] += std::abs(stiffness) * std::abs(y[c]);
+  };
+  for_entries(pattern_, add, motion_.K);
+  if (driven.norm() <= kRoundingOfK * rounding.norm()) return true;
+  const double wanted = y.dot(driven).real();
+  if (s.imag() != 0 || !(wanted > 0) || !motion_.K_error) return false;
+  const std::vector<double> error = motion_.K_error();
+  return !error.empty() && y.dot(product(pattern_, error, y)).real() >= wanted;
 }
 
 }  // namespace netloft

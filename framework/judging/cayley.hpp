@@ -2,7 +2,7 @@
 #pragma once
 #include "framework/judging/linear_motion.hpp"
 
-#include <Eigen/SparseCore>
+#include <Eigen/Core>
 
 #include <complex>
 
@@ -18,12 +18,15 @@ inline constexpr double kOff = 10;
 /// In this norm A enlarges no vector if K = K₊ and C damps. In other norms, a transient looks like growth.
 class Cayley {
  public:
-  Cayley(const SparsePattern& pattern, const LinearMotion& motion, Factorisation& factor, Statistics& cost);
+  Cayley(const SparsePattern& pattern, const LinearMotion& motion, Factors& factors);
   /// Sets σ. Returns false if K + σC + σ²M has no factor.
   bool set(double sigma);
-  Eigen::Index unknowns() const { return K_.rows(); }
+  Eigen::Index unknowns() const { return pattern_.size; }
   /// Dimension of the space of (y, v). Unknowns without mass have no velocity.
   Eigen::Index dimension() const { return dimension_; }
+  /// Computes A z. With S = K + σC + σ²M, (3) of growth.hpp is
+  ///   y ← 2w − y,   v ← 2σ (w − y) − v,   S w = σ (M (v + σy) + C y)                       (3a)
+  /// which does not need K, and in which no large stiffness cancels.
   Eigen::VectorXd operator*(const Eigen::VectorXd& z);
   /// Returns B z, where zᵀ B z is the square of the norm (8).
   Eigen::VectorXd weighed(const Eigen::VectorXd& z) const;
@@ -46,15 +49,13 @@ class Cayley {
   bool is_in_doubt(std::complex<double> s, const Eigen::VectorXcd& y) const;
 
  private:
-  using Sparse = Eigen::SparseMatrix<double>;
+  const SparsePattern& pattern_;
   const LinearMotion& motion_;
-  Sparse K_, C_, M_, convex_, K_error_, norm_;  // norm_: K₊ + σ²M of (8)
+  Factors& factors_;
   Eigen::Index dimension_;
-  Factorisation& factor_;
-  Statistics& cost_;
   double sigma_ = 0;
   std::vector<double> sum_;
-  Eigen::VectorXd rhs_, d_;
+  Eigen::VectorXd rhs_, w_;
 };
 
 }  // namespace netloft

@@ -143,13 +143,10 @@ int steps_of_sigma(double fastest) {
 
 }  // namespace
 
-Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, const MakeFactorisation& make) {
+Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, Factors& factors) {
+  if (is_stable_by_energy(pattern, motion, factors)) return {};
   Growth most;
-  Statistics cost;
-  if (is_stable_by_energy(pattern, motion, make, cost)) return {.cost = cost};
-  const auto factorisation = make(pattern.symmetric ? MatrixClass::symmetric : MatrixClass::unsymmetric);
-  factorisation->analyse(pattern);
-  Cayley A(pattern, motion, *factorisation, cost);
+  Cayley A(pattern, motion, factors);
   Arnoldi arnoldi(A);
   const auto is_decided = [&] {
     return most.verdict == GrowthVerdict::unknown || (most.grows() && !most.swings());
@@ -163,16 +160,12 @@ Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, con
     const bool diverges = growth.grows() && !growth.swings();
     if (growth.verdict > most.verdict || diverges) most = std::move(growth);
   }
-  most.cost = cost;
   return most;
 }
 
-Growth find_growth(Assembler& assembler, const RestPlace& place, const MakeFactorisation& make) {
-  LinearMotion motion;
-  if (!linearise(assembler, place, motion)) return {.verdict = GrowthVerdict::unknown};
-  Growth growth = find_growth(assembler.pattern(), motion, make);
-  growth.cost.matrices += kMatricesOfMotion;
-  return growth;
+Growth find_growth(Assembler& assembler, const RestPlace& place, Factors& factors, LinearMotion motion) {
+  if (!linearise(assembler, place, factors.statistics(), motion)) return {.verdict = GrowthVerdict::unknown};
+  return find_growth(assembler.pattern(), motion, factors);
 }
 
 }  // namespace netloft

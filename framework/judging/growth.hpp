@@ -22,7 +22,6 @@ struct Growth {
   std::vector<double> mode = {};  // shape over the unknowns, of length 1; empty if nothing grows
   // The mode a quarter of a period later, on the same scale; empty if the motion does not oscillate.
   std::vector<double> mode_later = {};
-  Statistics cost = {};  // cost of the examination
   bool grows() const { return verdict == GrowthVerdict::grows; }
   /// Whether the growth is flutter (a growing oscillation, from a pair of complex eigenvalues), not
   /// divergence.
@@ -55,7 +54,8 @@ struct Growth {
 /// without damping, which a little damping may stop or not (Bolotin); if powers do not settle; or by (7) in
 /// cayley.hpp. It is `unknown` if K + σC + σ²M could not be factorised. It depends neither on chance nor on a
 /// clock.
-Growth find_growth(Assembler& assembler, const RestPlace& place, const MakeFactorisation& make);
-Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, const MakeFactorisation& make);
+/// `factors`, those of the pattern, count the cost. The memory of the matrices in `motion` is used again.
+Growth find_growth(Assembler& assembler, const RestPlace& place, Factors& factors, LinearMotion motion = {});
+Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, Factors& factors);
 
 }  // namespace netloft

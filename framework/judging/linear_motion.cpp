@@ -4,6 +4,7 @@
 #include "framework/assembler/pattern.hpp"
 
 #include <netloft/imbalance.hpp>
+#include <netloft/vectors.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -19,62 +20,88 @@ constexpr double kTimeToFollow = 1e-3;
 // that matters.
 const double kMetricFraction = std::sqrt(kRoundingOfMatrix * kMatters);
 
-bool is_symmetric(const SparsePattern& p, std::span<const double> A) {
-  if (p.symmetric) return true;
-  double largest = 0, most = 0;
-  for_entries(p, A, [&](std::int32_t r, std::int32_t c, double value) {
-    largest = std::max(largest, std::abs(value));
-    if (r > c) most = std::max(most, std::abs(value - A[find_slot(p, c, r)]));
-  });
-  return most <= kRoundingOfMatrix * largest;
+/// Calls visit(row, column, slot, mirrored slot) for every entry on and below the diagonal, column by column,
+/// while visit returns true. The pattern must be that of a symmetric matrix, as all patterns of scenes are.
+template <class Visit>
+bool for_pairs(const SparsePattern& p, Visit&& visit) {
+  // In each column, the next entry above the diagonal that was not visited. Visits come in the order of
+  // these.
+  std::vector<std::int32_t> next(p.column_start.begin(), p.column_start.end());
+  for (std::int32_t c = 0; c < p.size; ++c)
+    for (auto k = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c)]);
+         k < static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c) + 1]); ++k) {
+      const std::int32_t r = p.row[k];
+      if (r < c) continue;
+      const std::size_t mirrored =
+          p.symmetric ? k : static_cast<std::size_t>(next[static_cast<std::size_t>(r)]++);
+      if (!visit(r, c, p.slot_of(k), p.slot_of(mirrored))) return false;
+    }
+  return true;
 }
 
-/// Whether ½ (A + Aᵀ) has positive eigenvalues only. The pattern of A is symmetric.
-bool is_symmetric_part_positive(const SparsePattern& p, std::span<const double> A,
-                                const MakeFactorisation& make, Statistics& cost) {
+bool is_symmetric(const SparsePattern& p, std::span<const double> A) {
+  const double most = kRoundingOfMatrix * largest_of(A);
+  return p.symmetric || for_pairs(p, [&](std::int32_t, std::int32_t, std::size_t at, std::size_t mirrored) {
+           return std::abs(A[at] - A[mirrored]) <= most;
+         });
+}
+
+/// Whether ½ (A + Aᵀ) has positive eigenvalues only.
+bool is_symmetric_part_positive(const SparsePattern& p, std::span<const double> A, Factors& factors) {
   SparsePattern lower;
   lower.size = p.size;
   lower.node = p.node;
-  lower.column_start = {0};
+  lower.column_start.assign(static_cast<std::size_t>(p.size) + 1, 0);
   std::vector<double> values;
-  for (std::int32_t c = 0; c < p.size; ++c) {
-    const auto end = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c) + 1]);
-    for (auto k = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c)]); k < end; ++k) {
-      const std::int32_t r = p.row[k];
-      if (r < c) continue;
-      lower.row.push_back(r);
-      values.push_back(p.symmetric ? A[p.slot_of(k)] : 0.5 * (A[p.slot_of(k)] + A[find_slot(p, c, r)]));
-    }
-    lower.column_start.push_back(static_cast<std::int32_t>(lower.row.size()));
-  }
-  const auto factorisation = make(MatrixClass::positive_definite);
+  for_pairs(p, [&](std::int32_t r, std::int32_t c, std::size_t at, std::size_t mirrored) {
+    lower.row.push_back(r);
+    values.push_back(0.5 * (A[at] + A[mirrored]));
+    lower.column_start[static_cast<std::size_t>(c) + 1] = static_cast<std::int32_t>(lower.row.size());
+    return true;
+  });
+  const auto factorisation = factors.make()(MatrixClass::positive_definite);
   factorisation->analyse(lower);
-  ++cost.factorisations;
+  ++factors.statistics().factorisations;
   return factorisation->factorise(values).status == FactorStatus::ok;
 }
 
 std::vector<double> largest_by_column(const SparsePattern& p, std::span<const double> A) {
   std::vector<double> largest(static_cast<std::size_t>(p.size));
-  for_entries(p, A, [&](std::int32_t, std::int32_t c, double value) {
+  const auto keep = [&](std::int32_t, std::int32_t c, double value) {
     double& most = largest[static_cast<std::size_t>(c)];
     if (std::isfinite(value)) most = std::max(most, std::abs(value));
-  });
+  };
+  for_entries(p, keep, A);
   return largest;
 }
 
-/// For each unknown, how strongly C drives a motion instead of damping it, at least zero: the largest of
-/// minus its diagonal entry and, for every other entry of its column, the excess of this entry over the
-/// geometric mean of both diagonal entries.
-std::vector<double> driving_part(const SparsePattern& p, std::span<const double> C) {
-  std::vector<double> drives(static_cast<std::size_t>(p.size));
-  const auto damped = [&](std::int32_t i) { return std::max(0.0, C[find_slot(p, i, i)]); };
-  for_entries(p, C, [&](std::int32_t r, std::int32_t c, double value) {
-    const double mirrored = p.symmetric ? value : C[find_slot(p, c, r)];
-    const double excess = 0.5 * std::abs(value + mirrored) - std::sqrt(damped(r) * damped(c));
-    if (std::isfinite(excess))
-      drives[static_cast<std::size_t>(c)] = std::max(drives[static_cast<std::size_t>(c)], excess);
+std::vector<double> diagonal_of(const SparsePattern& p, std::span<const double> A) {
+  std::vector<double> diagonal(static_cast<std::size_t>(p.size));
+  for (std::int32_t i = 0; i < p.size; ++i) diagonal[static_cast<std::size_t>(i)] = A[find_slot(p, i, i)];
+  return diagonal;
+}
+
+/// For each unknown, how fast C drives it instead of damping it [1/s], at least zero: −Re d/m of (6c). In a
+/// pair with a massless unknown, both count with the mass of the other one; a massless unknown has no rate.
+std::vector<double> driven_rates(const SparsePattern& p, std::span<const double> C,
+                                 std::span<const double> mass) {
+  const std::vector<double> damping = diagonal_of(p, C);
+  std::vector<double> rates(static_cast<std::size_t>(p.size));
+  const auto keep = [&](std::int32_t i, std::int32_t other, double between) {
+    const auto at = static_cast<std::size_t>(i), beside = static_cast<std::size_t>(other);
+    if (!(mass[at] > 0)) return;
+    const double m = mass[beside] > 0 ? mass[beside] : mass[at];
+    const double a = damping[at] / mass[at], b = between / std::sqrt(mass[at] * m), d = damping[beside] / m;
+    const double rate = std::hypot(0.5 * (a - d), b) - 0.5 * (a + d);
+    if (std::isfinite(rate)) rates[at] = std::max(rates[at], rate);
+  };
+  for_pairs(p, [&](std::int32_t r, std::int32_t c, std::size_t at, std::size_t mirrored) {
+    const double between = r == c ? 0 : 0.5 * (C[at] + C[mirrored]);
+    keep(r, c, between);
+    keep(c, r, between);
+    return true;
   });
-  return drives;
+  return rates;
 }
 
 /// Adds the damping (2) of growth.hpp, C = τ G, for unknowns with neither mass nor damping.
@@ -105,12 +132,13 @@ std::vector<double> between(std::span<const double> a, std::span<const double> b
 /// Change of K over the remaining Newton step (LinearMotion::K_error); empty if the step is not known, or
 /// elements are undefined at its end.
 std::vector<double> change_of_stiffness(Assembler& assembler, const RestPlace& at,
-                                        const std::vector<double>& K) {
+                                        const std::vector<double>& K, Statistics& cost) {
   if (at.after.empty()) return {};
   const std::vector<double> x = between(at.x, at.after, at.fraction),
                             low = between(at.x_low, at.after_low, at.fraction);
   std::vector<double> change(assembler.value_slots());
   const Kinematics motion{.cu = 1, .x_low = low.empty() ? nullptr : low.data()};
+  ++cost.matrices;
   if (!assembler.evaluate(x, {.matrix = MatrixKind::exact, .values = change.data(), .motion = motion}))
     return {};
   change.resize(K.size());
@@ -123,45 +151,39 @@ std::vector<double> change_of_stiffness(Assembler& assembler, const RestPlace& a
 double fastest_growth(const SparsePattern& p, const LinearMotion& m, double fraction) {
   std::vector<double> N(m.K);
   for (std::size_t i = 0; i < N.size(); ++i) N[i] -= m.convex[i];
-  const auto n = largest_by_column(p, N), K = largest_by_column(p, m.K), C = largest_by_column(p, m.C),
-             drives = driving_part(p, m.C);
+  const auto mass = diagonal_of(p, m.M), n = largest_by_column(p, N), K = largest_by_column(p, m.K),
+             C = largest_by_column(p, m.C), driven = driven_rates(p, m.C, mass);
   double fastest = 0;
-  for (std::int32_t i = 0; i < p.size; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const double mass = fraction * m.M[find_slot(p, i, i)];
-    const double alone = mass > 0    ? drives[at] / mass + std::sqrt(n[at] / mass)
-                         : C[at] > 0 ? K[at] / C[at]
-                                     : 0;
+  for (std::size_t at = 0; at < mass.size(); ++at) {
+    const double alone = mass[at] > 0 ? driven[at] / fraction + std::sqrt(n[at] / (fraction * mass[at]))
+                         : C[at] > 0  ? K[at] / C[at]
+                                      : 0;
     fastest = std::max(fastest, alone);
   }
   return fastest;
 }
 
-bool is_stable_by_energy(const SparsePattern& p, const LinearMotion& m, const MakeFactorisation& make,
-                         Statistics& cost) {
+bool is_stable_by_energy(const SparsePattern& p, const LinearMotion& m, Factors& factors) {
   const auto is_positive = [&](std::span<const double> A) {
-    std::vector<double> sum(p.value_slots());
-    double largest = 0, largest_of_convex = 0;
-    for (std::size_t i = 0; i < sum.size(); ++i) {
-      largest = std::max(largest, std::abs(A[i]));
-      largest_of_convex = std::max(largest_of_convex, std::abs(m.convex[i]));
-    }
+    const double largest = largest_of(A);
     if (largest == 0) return true;
-    for (std::size_t i = 0; i < sum.size(); ++i)
-      sum[i] = A[i] + kRoundingOfMatrix * largest / largest_of_convex * m.convex[i];
-    return is_symmetric_part_positive(p, sum, make, cost);
+    const double weight = kRoundingOfMatrix * largest / largest_of(m.convex);
+    std::vector<double> sum(A.size());
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = A[i] + weight * m.convex[i];
+    return is_symmetric_part_positive(p, sum, factors);
   };
   return is_symmetric(p, m.K) && is_symmetric(p, m.M) && is_positive(m.M) && is_positive(m.C) &&
-         is_symmetric_part_positive(p, m.K, make, cost);
+         is_symmetric_part_positive(p, m.K, factors);
 }
 
-bool linearise(Assembler& assembler, const RestPlace& at, LinearMotion& m) {
+bool linearise(Assembler& assembler, const RestPlace& at, Statistics& cost, LinearMotion& m) {
   const std::size_t slots = assembler.value_slots();  // there are more slots than entries of the pattern
   std::vector<double> metric(slots);
   for (auto* A : {&m.K, &m.C, &m.M, &m.convex}) A->assign(slots, 0.0);
   const double* low = at.x_low.empty() ? nullptr : at.x_low.data();
   const auto evaluate = [&](std::vector<double>& A, MatrixKind kind, double cu, double cv, double ca) {
     const Kinematics motion{.cu = cu, .cv = cv, .ca = ca, .x_low = low};
+    ++cost.matrices;
     return assembler.evaluate(at.x, {.matrix = kind, .values = A.data(), .motion = motion});
   };
   if (!evaluate(m.K, MatrixKind::exact, 1, 0, 0) || !evaluate(m.C, MatrixKind::exact, 0, 1, 0) ||
@@ -172,7 +194,7 @@ bool linearise(Assembler& assembler, const RestPlace& at, LinearMotion& m) {
   add_damping_of_massless(assembler.pattern(), metric, m);
   for (std::size_t i = 0; i < slots; ++i) m.convex[i] += kMetricFraction * metric[i];
   for (auto* A : {&m.K, &m.C, &m.M, &m.convex}) A->resize(assembler.pattern().value_slots());
-  m.K_error = change_of_stiffness(assembler, at, m.K);
+  m.K_error = [&assembler, &at, &cost, &m] { return change_of_stiffness(assembler, at, m.K, cost); };
   return true;
 }
 

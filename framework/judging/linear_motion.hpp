@@ -2,8 +2,9 @@
 #pragma once
 #include "framework/assembler/assembler.hpp"
 #include "framework/assembler/pattern.hpp"
-#include "framework/balance/factorisation.hpp"
-#include "framework/balance/statistics.hpp"
+#include "framework/balance/factors.hpp"
+
+#include <functional>
 
 namespace netloft {
 
@@ -12,8 +13,10 @@ namespace netloft {
 struct LinearMotion {
   std::vector<double> K, C, M;  // [N/m], [N s/m], [kg]
   std::vector<double> convex;   // symmetric positive definite, an approximation of K [N/m]
-  std::vector<double> K_error;  // change of K over the remaining Newton step; empty: unknown
-  bool is_damped = true;        // whether some element damps
+  // Evaluates the change of K over the remaining Newton step, if a verdict depends on it. Returns an empty
+  // vector if it is unknown.
+  std::function<std::vector<double>()> K_error = {};
+  bool is_damped = true;  // whether some element damps
 };
 
 /// A point near an equilibrium, over all dofs.
@@ -25,22 +28,18 @@ struct RestPlace {
   double fraction = 1;  // fraction of that step within which points count as the same (kSamePlace)
 };
 
-/// Evaluates the matrices at a point. Returns false if an element failed, which Assembler::fault describes.
-bool linearise(Assembler& assembler, const RestPlace& place, LinearMotion& motion);
-
-/// Largest number of matrices that `linearise` evaluates: four of the motion (K, C, M, convex part), the
-/// linear stiffness, and K after the remaining step.
-inline constexpr int kMatricesOfMotion = 6;
+/// Evaluates the matrices at a point and counts them in `cost`. Returns false if an element failed, which
+/// Assembler::fault describes. All arguments must outlive `motion`, which may evaluate K_error later.
+bool linearise(Assembler& assembler, const RestPlace& place, Statistics& cost, LinearMotion& motion);
 
 /// Rounding error of a matrix that is assembled from many elements, relative to its largest entry.
 inline constexpr double kRoundingOfMatrix = 1e-9;
 
 /// Whether (9) holds, so that the energy (8) of cayley.hpp falls and no disturbance grows:
 ///   M and K symmetric, K and M positive definite, C + Cᵀ positive semidefinite             (9)
-/// Cholesky factorisations decide; `cost` counts them. It is not enough that K + Kᵀ is positive definite: for
-/// M = 1 and K = [1 −b; b 1], s² = −1 ± ib, so that a motion grows for any b ≠ 0.
-bool is_stable_by_energy(const SparsePattern& pattern, const LinearMotion& motion,
-                         const MakeFactorisation& make, Statistics& cost);
+/// Cholesky factorisations decide, which `factors` counts. It is not enough that K + Kᵀ is positive definite:
+/// for M = 1 and K = [1 −b; b 1], s² = −1 ± ib, so that a motion grows for any b ≠ 0.
+bool is_stable_by_energy(const SparsePattern& pattern, const LinearMotion& motion, Factors& factors);
 
 /// The largest |s| of a motion y exp(st) that grows with c = Re s/|s| of at least `fraction` [1/s]; zero if
 /// none can grow. With K = K₊ + N, m = y*My, d = y*Cy, k = y*K₊y and n = y*Ny (y* is the conjugate
@@ -49,19 +48,23 @@ bool is_stable_by_energy(const SparsePattern& pattern, const LinearMotion& motio
 ///   c|s|m ≤ −Re d + |n|/|s|                                                               (6b)
 ///   |s| ≤ max(−Re d, 0)/(cm) + (|n|/(cm))^½                                               (6c)
 /// (6c) depends neither on K₊, the stiffness of taut members, nor on a C that damps. The result is the
-/// largest value of (6c) for a single unknown. It may be ten times too small; the greatest σ still finds
-/// rates that are ten times larger. An unknown without mass moves at the rate K/C.
+/// largest value of (6c) for a single unknown, where −Re d/m is that of the unknown with any other one: minus
+/// the smaller eigenvalue of their 2 x 2 part of ½ (C + Cᵀ), relative to their masses. It may be ten times
+/// too small; the greatest σ still finds rates that are ten times larger. An unknown without mass moves at
+/// the rate K/C.
 double fastest_growth(const SparsePattern& pattern, const LinearMotion& motion, double fraction);
 
-/// Calls visit(row, column, value) for every entry of the whole matrix, symmetric or not.
-template <class Visit>
-void for_entries(const SparsePattern& p, std::span<const double> values, Visit&& visit) {
+/// Calls visit(row, column, values[slot]…) for every entry of whole matrices of one pattern, symmetric or
+/// not.
+template <class Visit, class... Values>
+void for_entries(const SparsePattern& p, Visit&& visit, const Values&... values) {
   for (std::int32_t c = 0; c < p.size; ++c)
     for (auto k = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c)]);
          k < static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c) + 1]); ++k) {
       const std::int32_t r = p.row[k];
-      visit(r, c, values[p.slot_of(k)]);
-      if (p.symmetric && r != c) visit(c, r, values[p.slot_of(k)]);
+      const std::size_t slot = p.slot_of(k);
+      visit(r, c, values[slot]...);
+      if (p.symmetric && r != c) visit(c, r, values[slot]...);
     }
 }
 

@@ -18,9 +18,10 @@ namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-// Numbers of matrices and vectors held at the same time by a problem and by the check of its stability
-// (framework/balance: StaticProblem, find_growth). tests/bench/memory.py compares them with measured memory.
-constexpr double kMatrices = 4, kVectors = 40;
+// Numbers of matrices and vectors that a problem holds (framework/balance: StaticProblem), and of the
+// matrices that the check of its stability holds in addition (framework/judging: find_growth).
+// tests/bench/memory.py compares them with measured memory.
+constexpr double kMatrices = 4, kVectors = 40, kMatricesOfMotion = 3;
 // 1 + 1/4 + 1/16 + …: strategies keep coarser meshes, each with a quarter of the nodes of the next finer one.
 constexpr double kWithCoarser = 4.0 / 3;
 // Vectors of positions and velocities in the Krylov space of the stability check
@@ -96,9 +97,9 @@ MemoryForecast foresee_memory(PreparedScene& scene) {
   MemoryForecast forecast;
   forecast.taken = pages().resident;
   forecast.factor = factor * (!pattern.symmetric && may_ask_for_tensions(scene) ? 2 : 1);
-  forecast.stability = is_judged_by_motion ? factor + sizeof(double) * kKrylov * size : 0;
-  forecast.numbers = kWithCoarser * sizeof(double) *
-                     (kMatrices * static_cast<double>(scene.assembler().value_slots()) + kVectors * size);
+  const auto slots = static_cast<double>(scene.assembler().value_slots());
+  if (is_judged_by_motion) forecast.stability = sizeof(double) * (kMatricesOfMotion * slots + kKrylov * size);
+  forecast.numbers = kWithCoarser * sizeof(double) * (kMatrices * slots + kVectors * size);
   return forecast;
 }
 

@@ -15,9 +15,10 @@ struct MemoryForecast {
 };
 
 /// Orders and analyses the matrix pattern of the scene, as its first factorisation will. The forecast
-/// includes the factor of the scene, that of a strategy with tensions as unknowns, and that of the stability
-/// check with its Krylov space. It excludes the coarser meshes of a strategy, and a second factorisation that
-/// takes over if the first one gives up. tests/bench/memory.py compares the forecast with the memory of runs.
+/// includes the factor of the scene, that of a strategy with tensions as unknowns, and the matrices and the
+/// Krylov space of the stability check. It excludes the coarser meshes of a strategy, and a second
+/// factorisation that takes over if the first one gives up. tests/bench/memory.py compares the forecast with
+/// the memory of runs.
 MemoryForecast foresee_memory(PreparedScene& scene);
 
 /// Memory available to this process [bytes]: its present memory, plus what the machine, its control group

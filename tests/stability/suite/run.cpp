@@ -45,9 +45,11 @@ std::string solver_of(const std::string& found_by) { return found_by.substr(0, f
 
 Stability find_stability(runs::PreparedScene& one, const Ended& e) {
   if (e.conservative || !e.claims_success()) return e.solution.stability;
+  Statistics cost;
+  Factors factors(one.factorisations(), cost);
   const Growth growth = find_growth(
       one.assembler(), {e.solution.x, e.solution.x_low, e.solution.correction.x, e.solution.correction.x_low},
-      one.factorisations());
+      factors);
   if (std::isnan(growth.per_power)) return Stability::unknown;
   return growth.grows() ? Stability::unstable : Stability::stable;
 }

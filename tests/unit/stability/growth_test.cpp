@@ -22,7 +22,9 @@ double growth_of(const std::string& scene, const std::vector<std::string>& overr
   EXPECT_EQ(one.prepare(turn_over), runs::PreparedScene::State::ready);
   const Solution s = runs::find_equilibrium(one);
   EXPECT_TRUE(s.balance.balanced) << s.reason;
-  return find_growth(one.assembler(), {s.x}, make_factorisation).per_power;
+  Statistics cost;
+  Factors factors(make_factorisation, cost);
+  return find_growth(one.assembler(), {s.x}, factors).per_power;
 }
 
 constexpr const char* kFloat = "tests/stability/scenes/float-on-rope.toml";

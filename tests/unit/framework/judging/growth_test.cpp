@@ -35,18 +35,27 @@ struct ThreeDiagonals {
   std::vector<double> values;
 };
 
+struct CountedGrowth : Growth {
+  Statistics cost;
+};
+
 /// M ÿ + C ẏ + K y = 0, where K has the error `error` on its diagonal.
-Growth growth_with(const ThreeDiagonals& K, const std::vector<double>& C, const std::vector<double>& M,
-                   double error = 0) {
+CountedGrowth growth_with(const ThreeDiagonals& K, const std::vector<double>& C, const std::vector<double>& M,
+                          double error = 0) {
   const std::vector<double> zeros(K.values.size());
-  LinearMotion m{.K = K.values, .C = C, .M = M, .convex = zeros, .K_error = zeros};
+  LinearMotion m{.K = K.values, .C = C, .M = M, .convex = zeros};
+  std::vector<double> errors = zeros;
   for (std::int32_t i = 0; i < K.pattern.size; ++i)
-    m.convex[find_slot(K.pattern, i, i)] = 1, m.K_error[find_slot(K.pattern, i, i)] = error;
-  return find_growth(K.pattern, m, make_factorisation);
+    m.convex[find_slot(K.pattern, i, i)] = 1, errors[find_slot(K.pattern, i, i)] = error;
+  m.K_error = [&] { return errors; };
+  Statistics cost;
+  Factors factors(make_factorisation, cost);
+  Growth growth = find_growth(K.pattern, m, factors);
+  return {std::move(growth), cost};
 }
 
 /// The motion C ẏ + K y = 0, which contains e^(−λt) for the eigenvalues λ of K v = λ C v.
-Growth growth_without_mass(const ThreeDiagonals& K, const ThreeDiagonals& C, double error = 0) {
+CountedGrowth growth_without_mass(const ThreeDiagonals& K, const ThreeDiagonals& C, double error = 0) {
   return growth_with(K, C.values, std::vector<double>(C.values.size()), error);
 }
 
@@ -176,7 +185,9 @@ TEST(GrowthOfMatrices, IsNoneOfAPlateWithoutMassOnItsWarp) {
       const Eigen::MatrixXd damps = plate.tangent(false), holds = plate.tangent(true);
       const Eigen::MatrixXd rates = -damps.lu().solve(holds);
       ASSERT_LT(rates.eigenvalues().real().maxCoeff(), -0.01) << "by all eigenvalues";
-      const Growth growth = find_growth(random_matrix(6, 0, 1).pattern, plate.motion(), make_factorisation);
+      Statistics cost;
+      Factors factors(make_factorisation, cost);
+      const Growth growth = find_growth(random_matrix(6, 0, 1).pattern, plate.motion(), factors);
       EXPECT_EQ(growth.verdict, GrowthVerdict::none) << damping << ", " << bracket << ": " << growth.rate;
     }
 }
@@ -238,7 +249,7 @@ TEST(GrowthOfMatrices, CountsWhatItTakes) {
   const ThreeDiagonals K(200, -3, 2, 3.5), C(200, 0, 1, 0);
   ThreeDiagonals indefinite = K;
   indefinite.values.front() = -1e-20;
-  const Growth growth = growth_without_mass(indefinite, C);
+  const CountedGrowth growth = growth_without_mass(indefinite, C);
   ASSERT_EQ(growth.verdict, GrowthVerdict::none);
   EXPECT_EQ(growth.cost.factorisations, 3);
   EXPECT_EQ(growth.cost.solves, 3 * 24);
@@ -399,7 +410,7 @@ TEST(GrowthWithMass, FollowsThroughNodesWithoutMass) {
 // The energy criterion (9) of linear_motion.hpp needs only Cholesky factors of M, C and K.
 TEST(GrowthWithMass, AsksNoMotionWhereItsEnergyFalls) {
   const ThreeDiagonals K(200, -1, 2.5, -1), unit(200, 0, 1, 0);
-  const Growth g = growth_with(K, unit.values, unit.values);
+  const CountedGrowth g = growth_with(K, unit.values, unit.values);
   EXPECT_EQ(g.verdict, GrowthVerdict::none);
   EXPECT_EQ(g.cost.factorisations, 3);
   EXPECT_EQ(g.cost.solves, 0);
@@ -455,7 +466,9 @@ struct FloatOnSpring {
            {head})
         .data["pieces"] = {1};
     Assembled a(s.scene);
-    return find_growth(a.assembler, {a.assembler.start()}, make_factorisation);
+    Statistics cost;
+    Factors factors(make_factorisation, cost);
+    return find_growth(a.assembler, {a.assembler.start()}, factors);
   }
 
   /// The eigenvalue s with the largest real part. The drag damps twice as much along the flow as across it.
