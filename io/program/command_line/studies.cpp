@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Commands that solve a scene many times: `study` with its actions, `scope` and `calibrate`.
+// Commands about many values of one scene: `study` with its actions, `scope`, `sensitivity` and `calibrate`.
 #include "io/program/commands/studies.hpp"
 
 #include "io/program/command_line/chosen.hpp"
@@ -166,10 +166,28 @@ void add_scope_command(CLI::App& app, Chosen& chosen) {
   range("-o,--output", o.output, "draw the lengths over the depth", "FILE.svg|FILE.html");
 }
 
+void add_sensitivity_command(CLI::App& app, Chosen& chosen) {
+  auto [command, o] = add_command(
+      app, chosen, "sensitivity",
+      "find how much each figure changes with each number of the scene, by one solve", sensitivity_command);
+  add_method_options(command, o);
+  as_words(command.add_option("--to", o.to,
+                              "a number of the scene, or a table of numbers, as for --set; may be repeated; "
+                              "default: all numbers"),
+           "PATH");
+  as_words(command.add_option(
+               "--of", o.of, "a figure, or a group such as mouth; may be repeated; default: the key figures"),
+           "NAME");
+  command.add_flag("--check", o.check,
+                   "find all changes also with a thousand times longer step, and mark those that differ: a "
+                   "member is about to become slack, or a node to touch the ground");
+}
+
 }  // namespace
 
 void add_study_commands(CLI::App& app, Chosen& chosen) {
   add_scope_command(app, chosen);
+  add_sensitivity_command(app, chosen);
   add_study_command(app, chosen);
   auto [calibrate, o] = add_command(
       app, chosen, "calibrate",

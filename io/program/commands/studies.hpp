@@ -12,6 +12,11 @@ struct ScopeOptions : MethodOptions {
   std::string output;           // option -o
 };
 
+struct SensitivityOptions : MethodOptions {
+  std::vector<std::string> to, of;  // options --to, --of
+  bool check = false;               // option --check
+};
+
 struct CalibrateOptions : PluginOptions {
   std::string file;  // argument CALIBRATION
 };
@@ -60,6 +65,7 @@ struct StudySobolOptions : StudyEstimateOptions {
 
 int scope_command(const ScopeOptions& options);          // lengths of warp for each depth
 int calibrate_command(const CalibrateOptions& options);  // calibrates parameters of scenes with measurements
+int sensitivity_command(const SensitivityOptions& options);  // derivatives of figures with respect to numbers
 
 // actions on studies: many solves of one scene with varied inputs
 int study_plan_command(const StudyPlanOptions& options);

@@ -32,23 +32,6 @@ void widen(const std::vector<NamedScalar>& there, std::vector<NamedScalar>& scal
   }
 }
 
-/// All numbers of a scene at one set of positions.
-struct Numbers {
-  std::vector<NamedScalar> scalars, figures;
-};
-
-/// The numbers at the positions of the solution `there`; nullopt if the solution has no positions, or if
-/// forces cannot be evaluated there.
-std::optional<Numbers> numbers_at(const scenes::LoadedScene& loaded, Assembler& assembler, Solution there) {
-  there.residual.assign(there.x.size(), 0.0);
-  const Kinematics motion = at_rest(there);
-  if (there.x.empty() || !assembler.evaluate(there.x, {.residual = there.residual.data(), .motion = motion}))
-    return {};
-  const Response answer = ask_elements(loaded.scene, assembler, there.x, motion);
-  return Numbers{find_scalars(loaded, assembler, there, answer.outputs),
-                 find_figures(loaded, assembler, answer)};
-}
-
 /// Evaluates all numbers once more, after the next Newton step, to estimate the solver's error.
 void add_solver_errors(const scenes::LoadedScene& loaded, Assembler& assembler, const Solution& solution,
                        Result& result) {

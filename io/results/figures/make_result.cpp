@@ -117,6 +117,16 @@ std::vector<NamedScalar> find_scalars(const scenes::LoadedScene& loaded, const A
   return scalars;
 }
 
+std::optional<Numbers> numbers_at(const scenes::LoadedScene& loaded, Assembler& assembler, Solution there) {
+  there.residual.assign(there.x.size(), 0.0);
+  const Kinematics motion = at_rest(there);
+  if (there.x.empty() || !assembler.evaluate(there.x, {.residual = there.residual.data(), .motion = motion}))
+    return {};
+  const Response answer = ask_elements(loaded.scene, assembler, there.x, motion);
+  return Numbers{find_scalars(loaded, assembler, there, answer.outputs),
+                 find_figures(loaded, assembler, answer)};
+}
+
 Result describe_scene(const scenes::LoadedScene& loaded, const Assembler& assembler) {
   Result result;
   result.title = loaded.scene.name;

@@ -4,6 +4,9 @@
 #include "io/results/figures/response.hpp"
 #include "io/results/figures/result.hpp"
 
+#include <optional>
+#include <vector>
+
 namespace netloft::results {
 
 /// The motion of a scene at rest, as input of an evaluation: no velocities, and the digits that rounding
@@ -17,6 +20,15 @@ std::vector<NamedScalar> find_figures(const scenes::LoadedScene& loaded, const A
 /// The numbers that the scene requests in its table [results].
 std::vector<NamedScalar> find_scalars(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                       const Solution& solution, const FamilyOutputs& outputs);
+
+/// All numbers of a scene at one set of positions.
+struct Numbers {
+  std::vector<NamedScalar> scalars, figures;
+};
+
+/// The numbers at the positions of the solution `there`; nullopt if the solution has no positions, or if
+/// forces cannot be evaluated there.
+std::optional<Numbers> numbers_at(const scenes::LoadedScene& loaded, Assembler& assembler, Solution there);
 
 /// The facts of a scene that are known before it is solved.
 Result describe_scene(const scenes::LoadedScene& loaded, const Assembler& assembler);

@@ -214,7 +214,6 @@ class SceneSource::Memory {
     return plan->plan;
   }
 
- private:
   /// The tables of the document, with the changes applied. Their places refer to the sources of
   /// `diagnostics`.
   formats::Value changed(const std::vector<formats::Change>& changes, formats::Diagnostics& diagnostics) {
@@ -226,6 +225,7 @@ class SceneSource::Memory {
     return root;
   }
 
+ private:
   /// Replaces the names of catalogue parts in a scene by their numbers, and reads its plan; nullptr if there
   /// is none.
   std::shared_ptr<const PlanRead> read_plan(formats::Value& root, SceneCatalogue& catalogue,
@@ -262,6 +262,11 @@ class SceneSource::Memory {
 SceneSource::SceneSource(std::filesystem::path file) : memory_(std::make_shared<Memory>(std::move(file))) {}
 
 const std::filesystem::path& SceneSource::file() const { return memory_->file(); }
+
+formats::Value SceneSource::tables(const std::vector<formats::Change>& changes,
+                                   formats::Diagnostics& diagnostics) const {
+  return memory_->changed(changes, diagnostics);
+}
 
 LoadedScene SceneSource::instance(const std::vector<formats::Change>& changes, Registry& registry,
                                   formats::Diagnostics& diagnostics, bool& refused) const {

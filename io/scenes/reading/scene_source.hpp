@@ -19,6 +19,10 @@ class SceneSource {
 
   const std::filesystem::path& file() const;
 
+  /// The tables of the file and those it includes, with `changes` applied. Names of catalogue parts stay
+  /// names.
+  formats::Value tables(const std::vector<formats::Change>& changes, formats::Diagnostics& diagnostics) const;
+
   /// The scene with `changes` applied in their order. All errors go to the diagnostics with their place in a
   /// file or the change that caused them; use the result only if there are no errors. Opens the plugins that
   /// the scene names; sets `refused` if one of them is missing or was rejected.

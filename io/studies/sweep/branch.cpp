@@ -130,7 +130,9 @@ Branch::Way Branch::tangent_way(const Solved& from, const Values& to) {
   Values values;
   const auto near = open_between(from, to, options_.little, values);
   if (!near || !runs::have_same_topology(*from.scene, *near)) return way;
-  const auto tangent = runs::tangent_towards(*from.scene, *near, from.solution.x, spent_.statistics);
+  runs::Tangent at(*from.scene, from.solution.x);
+  const auto tangent = at.towards(*near);
+  spent_.statistics.add(at.spent());
   if (!tangent) return way;
   Solved before{from.scene, {}, from.values};
   before.solution.x = from.solution.x;

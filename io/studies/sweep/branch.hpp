@@ -42,7 +42,7 @@ struct BranchOptions {
 
 /// Follows an equilibrium while variables of a study change from point to point along a path. The solver of
 /// the scene starts from a prediction: the extrapolation of the last two equilibria if the next point is on a
-/// line with both, else the tangent (runs::tangent_towards; E. L. Allgower, K. Georg, Introduction to
+/// line with both, else the tangent (runs::Tangent; E. L. Allgower, K. Georg, Introduction to
 /// numerical continuation methods, 2003, ch. 2). If the solver fails, the step is halved; if it succeeds, the
 /// step is doubled again. After `halvings` halvings the strategy of the scene searches anew.
 ///

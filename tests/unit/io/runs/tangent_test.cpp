@@ -28,16 +28,15 @@ TEST(Topology, IsThatOfTheMeshWhateverTheValues) {
 TEST(Tangent, IsZeroTowardsTheSameScene) {
   Rope rope("parts.rope.cells=20"), same("parts.rope.cells=20");
   const Solution s = find_equilibrium(rope);
-  Statistics spent;
-  const auto tangent = tangent_towards(rope, same, s.x, spent);
+  const auto tangent = Tangent(rope, s.x).towards(same);
   ASSERT_TRUE(tangent);
   for (const double dx : *tangent) EXPECT_NEAR(dx, 0, 1e-12);
 }
 
 TEST(Tangent, IsNoneForAnEquilibriumOfASettlingMotion) {
   Rope rope("analysis.solver=newmark"), same("analysis.solver=newmark");
-  Statistics spent;
-  EXPECT_FALSE(tangent_towards(rope, same, rope.assembler().start(), spent));
+  const auto start = rope.assembler().start();
+  EXPECT_FALSE(Tangent(rope, {start.begin(), start.end()}).towards(same));
 }
 
 }  // namespace

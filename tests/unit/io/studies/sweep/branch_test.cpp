@@ -128,10 +128,10 @@ TEST_F(BranchTest, HasTheTangentOfTheClosedForm) {
   constexpr double kLittle = -1e-5;  // [N]
   const auto here = opened({variable_.value_of(-10)}), near = opened({variable_.value_of(-10 + kLittle)});
   const Solution at = runs::find_equilibrium(*here);
-  Statistics spent;
-  const auto tangent = runs::tangent_towards(*here, *near, at.x, spent);
+  runs::Tangent from(*here, at.x);
+  const auto tangent = from.towards(*near);
   ASSERT_TRUE(tangent);
-  EXPECT_EQ(spent.factorisations, 1);
+  EXPECT_EQ(from.spent().factorisations, 1);
   const double z = here->assembler().node_positions(at.x)[3 * 1 + 2], l = std::hypot(1, z);
   EXPECT_NEAR(here->assembler().node_positions(*tangent)[3 * 1 + 2] / kLittle * 2 * kEA *
                   (1 / kL0 - 1 / l + z * z / (l * l * l)),

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/program/commands/studies.hpp"
+#include "io/program/session/memory_room.hpp"
+#include "io/program/session/print.hpp"
+#include "io/program/session/session.hpp"
+#include "io/program/session/watchdog.hpp"
+#include "io/results/figures/make_result.hpp"
+#include "io/runs/equilibrium.hpp"
+#include "io/studies/sensitivity/sensitivity.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <stdexcept>
+
+namespace netloft::program {
+
+namespace {
+
+void require_equilibrium(const scenes::LoadedScene& loaded) {
+  if (loaded.analysis.kind == AnalysisKind::dynamics)
+    throw UsageError{
+        "sensitivity asks for an equilibrium, but this scene is a motion; add --set analysis.kind=static"};
+  if (!loaded.scene.settings.empty())
+    throw UsageError{
+        "sensitivity keeps all numbers of the scene but one, and this scene finds a length by itself; leave "
+        "out ship.warp.tension"};
+}
+
+/// The numbers of the scene that are chosen by --to.
+std::vector<studies::SceneNumber> numbers_to(const SensitivityOptions& o, const runs::CaseSource& source) {
+  formats::Diagnostics said;  // errors were reported when the scene was opened
+  return studies::chosen(studies::numbers_of(source.scene.tables(source.changes, said)), o.to);
+}
+
+/// The sentence about an equilibrium that has no derivatives.
+int end_without_equilibrium(const SensitivityOptions& o, Terminal& terminal, const Solution& solution) {
+  terminal.clear();
+  if (o.json) print_line(studies::sensitivity_json({}, {}, name_of(solution.status)));
+  terminal.say(fmt::format("there are no derivatives, because the scene ended {}: {}",
+                           name_of(solution.status), solution.reason));
+  return solution.status == SolveStatus::interrupted ? kInterrupted : kNotConverged;
+}
+
+int run_sensitivity(const SensitivityOptions& o) {
+  require_memory_to_solve();
+  Session session(o);
+  if (const int code = session.open(); code != kDone) return code;
+  runs::PreparedScene& scene = session.scene();
+  require_equilibrium(scene.loaded());
+  const auto numbers = numbers_to(o, scene.source());
+  catch_interrupts();
+  Terminal& terminal = session.terminal();
+  Watchdog watchdog(terminal, ending_with_a_sentence(terminal, "there are no derivatives yet"));
+  const double tolerance = scene.loaded().analysis.limits.tolerance;
+  const Solution solution = runs::find_equilibrium(
+      scene, {.interrupt = &interrupt_flag(),
+              .on_iteration = [&](const IterationRecord& r) { terminal.progress(r, tolerance); },
+              .on_budget = [&](double seconds) { watchdog.allow(seconds); }});
+  if (solution.status != SolveStatus::converged) return end_without_equilibrium(o, terminal, solution);
+  const results::Result result = results::make_result(scene.loaded(), scene.assembler(), solution);
+  const auto figures = studies::chosen_figures(result, o.of);
+  watchdog.allow(std::numeric_limits<double>::infinity());  // the limit of the scene was for its solve
+  const studies::Sensitivities found =
+      studies::find_sensitivities(scene, solution,
+                                  {.figures = studies::all_figures(result),
+                                   .numbers = numbers,
+                                   .with_long_step = o.check,
+                                   .interrupt = &interrupt_flag(),
+                                   .on_number = [&](std::size_t done, const std::string& path) {
+                                     terminal.progress_in_steps("numbers", done, numbers.size(), path);
+                                   }});
+  terminal.clear();
+  print(o.json ? studies::sensitivity_json(found, figures, name_of(solution.status)) + "\n"
+               : fmt::format("{}: {}, {} equilibrium; {} numbers\n", result.title, result.outcome,
+                             result.stability, found.effects.size()) +
+                     studies::sensitivity_text(found, figures));
+  if (found.is_interrupted)
+    return end_interrupted(
+        terminal, fmt::format("{} of {} numbers were examined", found.effects.size(), numbers.size()));
+  return kDone;
+}
+
+}  // namespace
+
+int sensitivity_command(const SensitivityOptions& options) {
+  try {
+    return run_sensitivity(options);
+  } catch (const std::invalid_argument& e) {
+    throw UsageError{e.what()};
+  }
+}
+
+}  // namespace netloft::program

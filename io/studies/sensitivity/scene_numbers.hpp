@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/formats/toml/change.hpp"
+
+#include <string>
+#include <vector>
+
+namespace netloft::studies {
+
+/// A number in the tables of a scene.
+struct SceneNumber {
+  std::string path;  // path as for `--set`: "tow.speed", "points.towing-point.at[2]"
+  double value = 0;  // the number as written
+  std::string unit;  // its unit as written, such as "kn"; empty: none
+  /// The change of the scene to another value of this number.
+  formats::Change to(double other) const;
+};
+
+/// The numbers in the tables of a scene, in the order of the file. Left out are the tables that describe how
+/// the scene is solved and reported, not what it is: analysis, results, catalogue, accept and gear.nodes.
+std::vector<SceneNumber> numbers_of(const formats::Value& tables);
+
+/// Those of `numbers` that `paths` name: each path names a number, or a table or array of numbers. All, if
+/// there are no paths. Throws std::invalid_argument with a sentence if a path names no number.
+std::vector<SceneNumber> chosen(const std::vector<SceneNumber>& numbers,
+                                const std::vector<std::string>& paths);
+
+}  // namespace netloft::studies

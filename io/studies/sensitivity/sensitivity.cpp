@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/studies/sensitivity/sensitivity.hpp"
+
+#include "framework/parameters/nearest.hpp"
+#include "io/results/figures/key_figures.hpp"
+#include "io/results/figures/make_result.hpp"
+#include "io/runs/tangent.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+namespace netloft::studies {
+
+namespace {
+
+/// Step h of (2) in sensitivity.hpp, as a fraction of the number. The error of (2) is of the order h²; that
+/// of its differences is the rounding error of a double, relative to h.
+constexpr double kShortStep = 1e-6;
+/// The long step as a multiple of h.
+constexpr double kLongStep = 1000;
+
+std::vector<results::NamedScalar> joined(std::vector<results::NamedScalar> a,
+                                         const std::vector<results::NamedScalar>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+/// The scenes at p − h and p + h, or why there are none. At an end of the range of the number, the scene
+/// itself takes the place of the one beyond it.
+struct Neighbours {
+  std::shared_ptr<runs::PreparedScene> below, above;
+  double distance = 0;  // difference of the number between both
+  double fraction = 0;  // difference between `above` and the scene, over the distance
+  std::string why_not;
+};
+
+class Sensitivity {
+ public:
+  Sensitivity(runs::PreparedScene& scene, const Solution& solution, const SensitivityRequest& request)
+      : scene_(scene), x_(solution.x), tangent_(scene, solution.x), request_(request) {}
+
+  NumberEffect effect_of(const SceneNumber& number) {
+    NumberEffect effect{number, {}, {}, {}};
+    const double h = kShortStep * (number.value != 0 ? std::abs(number.value) : 1);
+    const Neighbours near = neighbours(number, h);
+    effect.why_not = near.why_not;
+    if (!effect.why_not.empty()) return effect;
+    const auto change = tangent_.between(*near.below, *near.above);
+    if (!change) {
+      effect.why_not = "the tangent at the equilibrium cannot be factorised";
+      return effect;
+    }
+    effect.per_unit =
+        divided(numbers_at(*near.above, moved(*change, near.fraction)),
+                numbers_at(*near.below, moved(*change, near.fraction - 1)), near.distance);  // (2)
+    if (request_.with_long_step) effect.by_long_step = by_long_step(number, h, *change, near.distance);
+    return effect;
+  }
+
+ private:
+  using Figures = std::vector<results::NamedScalar>;
+
+  /// The differences of all figures over the change of the number. NaN for a figure that one side lacks.
+  std::vector<double> divided(const Figures& above, const Figures& below, double by) const {
+    std::vector<double> ratios;
+    for (const results::NamedScalar& figure : request_.figures) {
+      const auto *a = results::find_scalar(above, figure.name), *b = results::find_scalar(below, figure.name);
+      ratios.push_back(a && b ? (a->value - b->value) / by : results::NamedScalar::kUnknown);
+    }
+    return ratios;
+  }
+
+  /// The equilibrium moved by a multiple of a change.
+  std::vector<double> moved(const std::vector<double>& change, double times) const {
+    std::vector<double> there(x_);
+    for (std::size_t i = 0; i < there.size(); ++i) there[i] += times * change[i];
+    return there;
+  }
+
+  Figures numbers_at(runs::PreparedScene& scene, std::vector<double> x) const {
+    Solution there;
+    there.x = std::move(x);
+    const auto numbers = results::numbers_at(scene.loaded(), scene.assembler(), std::move(there));
+    return numbers ? joined(numbers->scalars, numbers->figures) : Figures{};
+  }
+
+  /// The derivatives by the long step, between positions that are predicted from the change over a short
+  /// distance and then corrected.
+  std::vector<double> by_long_step(const SceneNumber& number, double h, const std::vector<double>& change,
+                                   double distance) {
+    const Neighbours far = neighbours(number, kLongStep * h);
+    if (!far.why_not.empty()) return divided({}, {}, 1);
+    const auto figures_at = [&](runs::PreparedScene& scene, double fraction) {
+      const auto x = tangent_.corrected(scene, moved(change, fraction * far.distance / distance));
+      return x ? numbers_at(scene, *x) : Figures{};
+    };
+    return divided(figures_at(*far.above, far.fraction), figures_at(*far.below, far.fraction - 1),
+                   far.distance);
+  }
+
+  Neighbours neighbours(const SceneNumber& number, double h) const {
+    Neighbours near{.distance = 2 * h, .fraction = 0.5};
+    std::string why_not_below;
+    near.below = open(number.to(number.value - h), why_not_below);
+    near.above = open(number.to(number.value + h), near.why_not);
+    if (why_not_below.empty() == near.why_not.empty()) return near;
+    const std::shared_ptr<runs::PreparedScene> itself(&scene_, [](runs::PreparedScene*) {});
+    near.distance = h;
+    near.fraction = near.why_not.empty() ? 1 : 0;
+    (near.why_not.empty() ? near.below : near.above) = itself;
+    near.why_not.clear();
+    return near;
+  }
+
+  std::shared_ptr<runs::PreparedScene> open(const formats::Change& change, std::string& why_not) const {
+    runs::CaseSource source = scene_.source();
+    source.changes.push_back(change);
+    auto near =
+        std::make_shared<runs::PreparedScene>(std::move(source), scene_.registry(), scene_.factorisations());
+    if (near->prepare() != runs::PreparedScene::State::ready)
+      why_not = first_error(near->diagnostics());
+    else if (!runs::have_same_topology(scene_, *near))
+      why_not = "the mesh changes with it";
+    return near;
+  }
+
+  static std::string first_error(const formats::Diagnostics& diagnostics) {
+    for (const formats::Diagnostic& said : diagnostics.messages())
+      if (said.severity == formats::Severity::error) return said.message;
+    return "a plugin refuses it";
+  }
+
+  runs::PreparedScene& scene_;
+  std::vector<double> x_;
+  runs::Tangent tangent_;
+  const SensitivityRequest& request_;
+};
+
+bool is_in_group(const std::string& name, const std::string& group) {
+  return name == group || (name.starts_with(group) && name[group.size()] == '/');
+}
+
+}  // namespace
+
+Sensitivities find_sensitivities(runs::PreparedScene& scene, const Solution& solution,
+                                 const SensitivityRequest& request) {
+  Sensitivity at(scene, solution, request);
+  Sensitivities found{request.figures, {}};
+  for (const SceneNumber& number : request.numbers) {
+    if (request.interrupt && request.interrupt->load()) {
+      found.is_interrupted = true;
+      break;
+    }
+    found.effects.push_back(at.effect_of(number));
+    if (request.on_number) request.on_number(found.effects.size(), number.path);
+  }
+  return found;
+}
+
+std::vector<results::NamedScalar> all_figures(const results::Result& result) {
+  return joined(result.scalars, result.figures);
+}
+
+std::vector<std::size_t> chosen_figures(const results::Result& result,
+                                        const std::vector<std::string>& names) {
+  std::vector<std::string> wanted = names, all;
+  if (wanted.empty())
+    for (const results::NamedScalar* figure : results::key_figures(result)) wanted.push_back(figure->name);
+  for (const auto& figure : all_figures(result)) all.push_back(figure.name);
+  std::vector<std::size_t> chosen;
+  for (const std::string& name : wanted) {
+    const std::size_t before = chosen.size();
+    for (std::size_t f = 0; f < all.size(); ++f)
+      if (is_in_group(all[f], name) && std::ranges::find(chosen, f) == chosen.end()) chosen.push_back(f);
+    if (chosen.size() > before || std::ranges::any_of(all, [&](auto& one) { return is_in_group(one, name); }))
+      continue;
+    const auto near = nearest(name, all);
+    throw std::invalid_argument(
+        "there is no figure \"" + name + "\"; " +
+        (near ? "did you mean \"" + *near + "\"?" : "`netloft report` lists them all"));
+  }
+  return chosen;
+}
+
+double effect_of_percent(const NumberEffect& effect, std::size_t f) {
+  return 0.01 * std::abs(effect.number.value) * effect.per_unit[f];
+}
+
+bool depends_on_step(const Sensitivities& found, const NumberEffect& effect, std::size_t f) {
+  if (effect.by_long_step.empty()) return false;
+  const double size = 0.01 * std::abs(effect.number.value);
+  double largest = 0;
+  for (const NumberEffect& other : found.effects)
+    if (other.why_not.empty()) largest = std::fmax(largest, std::abs(effect_of_percent(other, f)));
+  return !(size * std::abs(effect.by_long_step[f] - effect.per_unit[f]) <= kSameDerivative * largest);
+}
+
+}  // namespace netloft::studies

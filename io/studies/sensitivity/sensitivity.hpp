@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/results/figures/result.hpp"
+#include "io/runs/prepared_scene.hpp"
+#include "io/studies/sensitivity/scene_numbers.hpp"
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace netloft::studies {
+
+/// The derivatives of all figures with respect to one number p of a scene, at an equilibrium.
+struct NumberEffect {
+  SceneNumber number;
+  std::string why_not;               // why there are no derivatives; empty if there are
+  std::vector<double> per_unit;      // dg/dp in the units of figure and number; NaN: not defined
+  std::vector<double> by_long_step;  // dg/dp by a step that is longer by kLongStep; empty: not requested
+};
+
+struct Sensitivities {
+  std::vector<results::NamedScalar> figures;  // [results] of the scene, then the figures of the gear
+  std::vector<NumberEffect> effects;
+  bool is_interrupted = false;  // the effects of further numbers are missing
+};
+
+/// A derivative depends on the step if it changes by more than this fraction of the largest derivative of the
+/// figure (weighed by the numbers), between both steps of `find_sensitivities`.
+inline constexpr double kSameDerivative = 0.01;
+
+struct SensitivityRequest {
+  std::vector<results::NamedScalar> figures;  // all_figures() of the equilibrium
+  std::vector<SceneNumber> numbers;
+  bool with_long_step = false;  // find each derivative with a second, longer step
+  const std::atomic<bool>* interrupt = nullptr;
+  std::function<void(std::size_t done, const std::string& path)> on_number = {};
+};
+
+/// The derivatives of all figures g(x, p) at the equilibrium x of a scene, where the residual r(x, p) is
+/// zero:
+///   dg/dp = ∂g/∂p + ∂g/∂x dx/dp,   K dx/dp = −∂r/∂p                                       (1)
+/// K is the exact tangent at x, factorised once for all numbers. For each number, the scene is instantiated
+/// at p ± h on the same mesh, which gives ∂r/∂p and dx/dp (runs::Tangent), and then, to second order in h,
+///   dg/dp = [g(x + h dx/dp, p + h) − g(x − h dx/dp, p − h)] / 2h                           (2)
+/// in which no equilibrium is sought. h is a millionth of the number, or of its unit if the number is zero.
+/// At an end of the range of the number, p itself takes the place of the value beyond it. The long step is a
+/// thousandth; there, x ± h dx/dp is corrected by one step with K. A number has no derivatives if the scene
+/// is valid on neither side, or if its mesh changes: counts, and sizes that decide how many elements there
+/// are.
+///
+/// The derivatives hold while no member becomes taut or slack, and no node touches or leaves the ground.
+/// A member or node that is about to do so has another derivative with the long step.
+Sensitivities find_sensitivities(runs::PreparedScene& scene, const Solution& solution,
+                                 const SensitivityRequest& request);
+
+/// The [results] of a scene, then the figures of its gear.
+std::vector<results::NamedScalar> all_figures(const results::Result& result);
+
+/// The positions in all_figures() of those that `names` name: each is a name, or a group such as "mouth". The
+/// key figures of the result if there are no names. Throws std::invalid_argument with a sentence if a name is
+/// unknown.
+std::vector<std::size_t> chosen_figures(const results::Result& result, const std::vector<std::string>& names);
+
+/// Change of figure `f` when the number increases by one percent of its size.
+double effect_of_percent(const NumberEffect& effect, std::size_t f);
+
+/// Whether the derivative of figure `f` is another one with the long step.
+bool depends_on_step(const Sensitivities& found, const NumberEffect& effect, std::size_t f);
+
+/// For each of the chosen figures a table of the numbers with the largest effects; then the numbers that have
+/// no derivatives, with the reasons.
+std::string sensitivity_text(const Sensitivities& found, const std::vector<std::size_t>& figures);
+
+/// All effects as one JSON object; `status` is that of the equilibrium.
+std::string sensitivity_json(const Sensitivities& found, const std::vector<std::size_t>& figures,
+                             const std::string& status);
+
+}  // namespace netloft::studies

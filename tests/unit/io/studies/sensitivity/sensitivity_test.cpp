@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/studies/sensitivity/sensitivity.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "io/results/figures/make_result.hpp"
+#include "io/runs/equilibrium.hpp"
+#include "tests/folders.hpp"
+#include "tests/verification/solving.hpp"
+
+namespace netloft::studies {
+namespace {
+
+/// A scene of the library in equilibrium.
+struct AtRest {
+  AtRest(const std::string& file, const std::vector<std::string>& changes)
+      : scene({test::source_folder() + "/gear-library/scenes/" + file, changes, 1}, test::shipped_plugins()) {
+    EXPECT_EQ(scene.prepare(), runs::PreparedScene::State::ready) << scene.diagnostics().render(false);
+    solution = runs::find_equilibrium(scene);
+    EXPECT_EQ(solution.status, SolveStatus::converged) << solution.reason;
+  }
+  std::vector<SceneNumber> numbers(const std::vector<std::string>& paths) const {
+    formats::Diagnostics said;
+    return chosen(numbers_of(scene.source().scene.tables(scene.source().changes, said)), paths);
+  }
+  Sensitivities to(const std::vector<std::string>& paths, bool with_long_step = false) {
+    const auto result = results::make_result(scene.loaded(), scene.assembler(), solution);
+    return find_sensitivities(
+        scene, solution,
+        {.figures = all_figures(result), .numbers = numbers(paths), .with_long_step = with_long_step});
+  }
+  double figure(const std::string& name) {
+    const auto result = results::make_result(scene.loaded(), scene.assembler(), solution);
+    const auto* in_results = results::find_scalar(result.scalars, name);
+    return (in_results ? in_results : results::find_scalar(result.figures, name))->value;
+  }
+
+  runs::PreparedScene scene;
+  Solution solution;
+};
+
+std::size_t place_of(const Sensitivities& found, const std::string& figure) {
+  for (std::size_t f = 0; f < found.figures.size(); ++f)
+    if (found.figures[f].name == figure) return f;
+  throw std::invalid_argument(figure);
+}
+
+double derivative(const Sensitivities& found, const std::string& figure, const std::string& path) {
+  for (const NumberEffect& effect : found.effects)
+    if (effect.number.path == path && effect.why_not.empty()) return effect.per_unit[place_of(found, figure)];
+  throw std::invalid_argument(path);
+}
+
+// The exact horizontal tension H of the scene's elastic catenary, of weight w per metre (Irvine, Cable
+// Structures, MIT Press 1981, eq. 2.24), with a = wL/2H:
+//   F(H, EA, L) = HL/EA + (2H/w) asinh a = 8 m
+TEST(Sensitivity, IsThatOfTheElasticCatenary) {
+  AtRest rope("hanging-rope.toml", {"parts.rope.rope.sag=1", "analysis.tolerance=1e-12"});
+  const Sensitivities found = rope.to({"parts.rope.length", "parts.rope.rope.EA"});
+  const double H = 2.99708988, EA = 100, L = 10, w = 1, a = w * L / (2 * H), root = std::sqrt(1 + a * a);
+  const double by_H = L / EA + 2 / w * std::asinh(a) - L / (H * root), by_EA = -H * L / (EA * EA),
+               by_L = H / EA + 1 / root;
+  // The tension acts on the hold at the end of the rope along −x.
+  EXPECT_NEAR(std::abs(derivative(found, "horizontal_tension", "parts.rope.rope.EA")), std::abs(by_EA / by_H),
+              1e-8);
+  EXPECT_NEAR(std::abs(derivative(found, "horizontal_tension", "parts.rope.length")), std::abs(by_L / by_H),
+              1e-7);
+}
+
+// All forces of a rope in air are proportional to its stiffness and its density, so that tensions are
+// homogeneous functions of both of degree 1, and positions of degree 0 (Euler's theorem).
+TEST(Sensitivity, ObeysTheScalingOfForces) {
+  AtRest rope("hanging-rope.toml", {"analysis.tolerance=1e-12"});
+  const Sensitivities found = rope.to({"parts.rope.rope"});
+  const auto scaled = [&](const std::string& figure) {
+    return 100 * derivative(found, figure, "parts.rope.rope.EA") +
+           324.58575169277043 * derivative(found, figure, "parts.rope.rope.density");
+  };
+  EXPECT_NEAR(scaled("end_tension"), rope.figure("end_tension"), 1e-8);
+  EXPECT_NEAR(scaled("horizontal_tension"), rope.figure("horizontal_tension"), 1e-8);
+  EXPECT_NEAR(scaled("sag_z"), 0, 1e-8);
+}
+
+// Against central differences of equilibria: flow, shelter, a rope, and a hold that moves.
+TEST(Sensitivity, IsTheChangeOfEquilibriaOfATrawl) {
+  const std::vector<std::string> coarse{"gear.nodes=300", "analysis.tolerance=1e-10"};
+  AtRest trawl("83-112-flume-3.0kn.toml", coarse);
+  const Sensitivities found =
+      trawl.to({"tow.speed", "elements.netting.drag.shielding", "points.towing-point.at[1]"});
+  ASSERT_EQ(found.effects.size(), 3u);
+  for (const NumberEffect& effect : found.effects) {
+    const double h = 1e-4 * std::abs(effect.number.value);
+    const auto beside = [&](double p) {
+      auto changes = coarse;
+      changes.push_back(effect.number.to(p).text);
+      return AtRest("83-112-flume-3.0kn.toml", changes);
+    };
+    AtRest above = beside(effect.number.value + h), below = beside(effect.number.value - h);
+    for (const char* figure : {"mouth/headline_height", "mouth/lower_wing_spread", "drag/all/x"}) {
+      const double expected = (above.figure(figure) - below.figure(figure)) / (2 * h);
+      EXPECT_NEAR(effect.per_unit[place_of(found, figure)], expected, 2e-4 * std::abs(expected))
+          << effect.number.path << ", " << figure;
+    }
+  }
+}
+
+TEST(Sensitivity, HasNoDerivativesForCounts) {
+  AtRest rope("hanging-rope.toml", {});
+  for (const NumberEffect& effect : rope.to({"parts.rope"}).effects) {
+    const bool is_count = effect.number.path == "parts.rope.cells";
+    EXPECT_EQ(!effect.why_not.empty(), is_count) << effect.number.path << ": " << effect.why_not;
+  }
+}
+
+// The density of the water cannot be below zero. Where the rope hangs in air, a little water relieves it by
+// its buoyancy alone, which is as much as a lower density of the rope.
+TEST(Sensitivity, LooksToOneSideAtAnEndOfARange) {
+  AtRest rope("hanging-rope.toml", {"analysis.tolerance=1e-12"});
+  const Sensitivities found = rope.to({"water.density", "parts.rope.rope.density"});
+  for (const char* figure : {"end_tension", "horizontal_tension"})
+    EXPECT_NEAR(derivative(found, figure, "water.density"),
+                -derivative(found, figure, "parts.rope.rope.density"), 1e-7);
+}
+
+// A rope that is straight between its holds is about to become slack: taut on one side, slack on the other.
+TEST(Sensitivity, MarksAMemberThatIsAboutToBecomeSlack) {
+  const std::vector<std::string> straight{"parts.rope.cells=4", "water.gravity=0",
+                                          "parts.rope.sketch=[[-4, 0, 0], [4, 0, 0]]"};
+  const auto marks = [&](const std::string& length) {
+    auto changes = straight;
+    changes.push_back("parts.rope.length=" + length);
+    AtRest rope("hanging-rope.toml", changes);
+    const Sensitivities found = rope.to({"parts.rope.length"}, true);
+    return depends_on_step(found, found.effects.at(0), place_of(found, "horizontal_tension"));
+  };
+  EXPECT_FALSE(marks("7.5"));
+  EXPECT_TRUE(marks("7.9999"));
+}
+
+TEST(SceneNumbers, AreThoseOfTheTablesThatSayWhatTheSceneIs) {
+  AtRest rope("hanging-rope.toml", {"analysis.tolerance=1e-8"});
+  const auto numbers = rope.numbers({});
+  const auto has = [&](const std::string& path) {
+    return std::ranges::any_of(numbers, [&](const SceneNumber& n) { return n.path == path; });
+  };
+  EXPECT_TRUE(has("parts.rope.length") && has("water.density") && has("parts.rope.sketch[1][2]"));
+  EXPECT_FALSE(has("analysis.tolerance"));
+  EXPECT_EQ(rope.numbers({"parts.rope.length"}).at(0).unit, "m");
+  EXPECT_EQ(rope.numbers({"parts.rope.sketch[1]"}).size(), 3u);
+  EXPECT_EQ(rope.numbers({"parts.rope.length"}).at(0).to(10.5).text, "parts.rope.length=\"10.5 m\"");
+}
+
+TEST(SceneNumbers, AreNamedIfAPathIsWrong) {
+  AtRest rope("hanging-rope.toml", {});
+  try {
+    rope.numbers({"parts.rope.lenght"});
+    FAIL();
+  } catch (const std::invalid_argument& e) {
+    EXPECT_NE(std::string(e.what()).find("did you mean \"parts.rope.length\"?"), std::string::npos)
+        << e.what();
+  }
+}
+
+}  // namespace
+}  // namespace netloft::studies
