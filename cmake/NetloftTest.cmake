@@ -2,7 +2,7 @@
 # netloft_test(NAME [ROOMS folders…] [EXCEPT files…] [SOURCES files…] LIBRARIES targets… [OPTIONS flags…] [SLOW_TESTS names…] [SLOW|LONG]):
 # one GoogleTest program, each of its tests known to ctest. Its sources are *_test.cpp in ROOMS, compiled as one (NetloftLibrary.cmake),
 # and SOURCES. OPTIONS are those of the plugin whose kernels stand among SOURCES. SLOW, and the SLOW_TESTS of one that is not: minutes
-# under sanitizers, so that .ci/run tries them without them alone; LONG: .ci/run leaves it to tests/nightly.
+# to compile or to run under sanitizers, so that .ci/run tries them without them alone; LONG: .ci/run leaves it to tests/nightly.
 #
 # With NETLOFT_TEST_PROGRAMS ctest knows the program as one test instead, which starts once: for sanitizers, which take
 # longer to start than most tests.

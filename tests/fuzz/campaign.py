@@ -42,7 +42,8 @@ class Fuzzer:
     def begin(self, left):
         self.corpus.mkdir(parents=True, exist_ok=True)
         environment = {"NETLOFT_FUZZ_RESULTS": str(self.folder / "results"), **os.environ}
-        words = [self.folder / "bin" / f"{self.name}_fuzzer", self.corpus, f"tests/fuzz/seeds/{self.name}", *FUZZERS[self.name],
+        seeds = [folder for folder in [f"tests/fuzz/seeds/{self.name}"] if (ROOT / folder).exists()]
+        words = [self.folder / "bin" / f"{self.name}_fuzzer", self.corpus, *seeds, *FUZZERS[self.name],
                  *LIMITS, f"-artifact_prefix={self.corpus}-", f"-seed={1 + int(self.seconds - left)}"]
         with open(f"{self.corpus}.log", "ab") as log:
             return subprocess.Popen(words, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=log, env=environment)
@@ -60,6 +61,8 @@ class Fuzzer:
             self.cpu = before + cpu_seconds(fuzzer.pid)
             fuzzer.wait()
             self.count(report)
+            if not self.executions:
+                raise SystemExit(f"{self.name} executed nothing; {self.corpus}.log says why")
 
     def count(self, report):
         """Executions of all starts, as the log numbers them: "#4096 pulse" and, at the end, "stat::number_of_executed_units: 4099"."""

@@ -13,7 +13,7 @@ namespace netloft::formats {
 namespace {
 
 // Lengths are in units of the picture. Its width, kWidth units, is a column of 8.5 cm.
-constexpr double kNameRoom = 92, kEndRoom = 14, kHeadRoom = 6;
+constexpr double kLeastNameRoom = 92, kEndRoom = 14, kHeadRoom = 6;
 constexpr double kBar = 7, kRowGap = 5, kTitleHeight = 16, kWhisker = 1.6;
 constexpr std::array<const char*, 4> kBarColours{"#0072b2", "#e69f00", "#009e73",
                                                  "#cc79a7"};  // colours of Okabe and Ito
@@ -29,10 +29,19 @@ std::vector<double> values_of(const BarChart& chart) {
   return values;
 }
 
+/// Room for the longest name of a row, and at most for half of the picture.
+double name_room(const BarChart& chart) {
+  std::size_t longest = 0;
+  for (const auto& group : chart.groups)
+    for (const auto& row : group.rows) longest = std::max(longest, row.name.size());
+  return std::clamp(kLetter * kText * static_cast<double>(longest) + 8, kLeastNameRoom, kWidth / 2);
+}
+
 /// Draws a chart from the top downwards.
 class BarDrawing {
  public:
-  explicit BarDrawing(const BarChart& chart) : chart_(chart), axis_(values_of(chart)) {}
+  explicit BarDrawing(const BarChart& chart)
+      : chart_(chart), name_room_(name_room(chart)), axis_(values_of(chart)) {}
 
   std::string draw() {
     draw_grid();
@@ -43,7 +52,7 @@ class BarDrawing {
   }
 
  private:
-  double x(double value) const { return kNameRoom + axis_.place(value) * (kWidth - kNameRoom - kEndRoom); }
+  double x(double value) const { return name_room_ + axis_.place(value) * (kWidth - name_room_ - kEndRoom); }
 
   double bottom() const {
     double y = kHeadRoom;
@@ -59,10 +68,10 @@ class BarDrawing {
   }
 
   void draw_group(const BarChart::Group& group) {
-    picture_.text({kNameRoom + 5, y_ + 11}, group.title, kText, kInk, Anchor::start);
+    picture_.text({name_room_ + 5, y_ + 11}, group.title, kText, kInk, Anchor::start);
     y_ += kTitleHeight;
     for (const auto& row : group.rows) {
-      picture_.text({kNameRoom - 5, y_ + row_height() / 2 + 1}, row.name, kText, kInk, Anchor::end);
+      picture_.text({name_room_ - 5, y_ + row_height() / 2 + 1}, row.name, kText, kInk, Anchor::end);
       for (std::size_t k = 0; k < row.bars.size(); ++k)
         draw_bar(row.bars[k], k, y_ + kBar * static_cast<double>(k));
       y_ += row_height();
@@ -80,27 +89,29 @@ class BarDrawing {
   }
 
   void draw_axis() {
-    picture_.frame({kNameRoom, kHeadRoom}, {kWidth - kEndRoom, bottom()}, kInk);
+    picture_.frame({name_room_, kHeadRoom}, {kWidth - kEndRoom, bottom()}, kInk);
     picture_.line({x(0), kHeadRoom}, {x(0), bottom()}, kInk, 0.8);
     for (const auto& tick : axis_.ticks())
       if (tick.labelled)
         picture_.number({x(tick.value), bottom() + 13}, tick.value, false, kText, Anchor::middle);
-    picture_.text({(kNameRoom + kWidth - kEndRoom) / 2, bottom() + 28}, chart_.x_label, kText, kInk,
+    picture_.text({(name_room_ + kWidth - kEndRoom) / 2, bottom() + 28}, chart_.x_label, kText, kInk,
                   Anchor::middle);
     y_ = bottom() + kAxisRoom;
   }
 
   void draw_legend() {
     for (std::size_t k = 0; k < chart_.kinds.size(); ++k, y_ += kLegendLine) {
-      picture_.area({{kNameRoom, y_}, {kNameRoom + 14, y_}, {kNameRoom + 14, y_ + 7}, {kNameRoom, y_ + 7}},
-                    colour(k), 1);
-      picture_.text({kNameRoom + 20, y_ + 7.5}, chart_.kinds[k], kText, kInk, Anchor::start);
+      picture_.area(
+          {{name_room_, y_}, {name_room_ + 14, y_}, {name_room_ + 14, y_ + 7}, {name_room_, y_ + 7}},
+          colour(k), 1);
+      picture_.text({name_room_ + 20, y_ + 7.5}, chart_.kinds[k], kText, kInk, Anchor::start);
     }
   }
 
   static const char* colour(std::size_t kind) { return kBarColours[kind % kBarColours.size()]; }
 
   const BarChart& chart_;
+  double name_room_;
   LinearAxis axis_;
   SvgPicture picture_;
   double y_ = kHeadRoom;

@@ -20,7 +20,6 @@ constexpr double kInnerHeight = 210;
 constexpr double kLeft = 46, kRight = 10, kTop = 24, kMargin = 6;
 constexpr double kShade = 0.2;  // opacity of bands
 constexpr double kSmall = 8.5;
-constexpr double kLetter = 0.6;  // width of a letter relative to its height, estimated generously
 constexpr const char *kMinorGrid = "#f0f0f0", *kMarkInk = "#666666";
 
 /// M. Okabe and K. Ito, Color Universal Design, 2008; yellow is left out because it is too light on white.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/files/whole_file.hpp"
 #include "io/program/commands/studies.hpp"
 #include "io/program/session/memory_room.hpp"
 #include "io/program/session/print.hpp"
+#include "io/program/session/replaced_file.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/watchdog.hpp"
 #include "io/results/figures/make_result.hpp"
@@ -43,11 +45,14 @@ int end_without_equilibrium(const SensitivityOptions& o, Terminal& terminal, con
 }
 
 int run_sensitivity(const SensitivityOptions& o) {
+  if (!o.output.empty() && !o.output.ends_with(".svg"))
+    throw UsageError{"-o " + o.output + ": the bars can be written as .svg only"};
   require_memory_to_solve();
   Session session(o);
   if (const int code = session.open(); code != kDone) return code;
   runs::PreparedScene& scene = session.scene();
   require_equilibrium(scene.loaded());
+  require_place(o.output, paths_of(scene.loaded()));
   const auto numbers = numbers_to(o, scene.source());
   catch_interrupts();
   Terminal& terminal = session.terminal();
@@ -78,7 +83,10 @@ int run_sensitivity(const SensitivityOptions& o) {
   if (found.is_interrupted)
     return end_interrupted(
         terminal, fmt::format("{} of {} numbers were examined", found.effects.size(), numbers.size()));
-  return kDone;
+  return write_last(terminal, kDone, [&] {
+    if (!o.output.empty())
+      formats::write_keeping(o.output, formats::draw_svg(studies::sensitivity_bars(found, figures)));
+  });
 }
 
 }  // namespace

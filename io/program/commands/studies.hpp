@@ -15,6 +15,7 @@ struct ScopeOptions : MethodOptions {
 struct SensitivityOptions : MethodOptions {
   std::vector<std::string> to, of;  // options --to, --of
   bool check = false;               // option --check
+  std::string output;               // option -o
 };
 
 struct CalibrateOptions : PluginOptions {

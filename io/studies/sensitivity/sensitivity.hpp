@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/formats/svg/bar_chart.hpp"
 #include "io/results/figures/result.hpp"
 #include "io/runs/prepared_scene.hpp"
 #include "io/studies/sensitivity/scene_numbers.hpp"
@@ -71,6 +72,10 @@ bool depends_on_step(const Sensitivities& found, const NumberEffect& effect, std
 /// For each of the chosen figures a table of the numbers with the largest effects; then the numbers that have
 /// no derivatives, with the reasons.
 std::string sensitivity_text(const Sensitivities& found, const std::vector<std::size_t>& figures);
+
+/// The largest effects on each of the chosen figures as bars: the change of the figure in percent when the
+/// number grows by one percent. Figures that are zero are left out.
+formats::BarChart sensitivity_bars(const Sensitivities& found, const std::vector<std::size_t>& figures);
 
 /// All effects as one JSON object; `status` is that of the equilibrium.
 std::string sensitivity_json(const Sensitivities& found, const std::vector<std::size_t>& figures,

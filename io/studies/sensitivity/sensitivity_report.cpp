@@ -91,6 +91,21 @@ std::string sensitivity_text(const Sensitivities& found, const std::vector<std::
   return text + left_out_text(found);
 }
 
+formats::BarChart sensitivity_bars(const Sensitivities& found, const std::vector<std::size_t>& figures) {
+  formats::BarChart chart{"change [%]", {"when the number grows by 1 %"}, {}};
+  for (const std::size_t f : figures) {
+    const results::NamedScalar& figure = found.figures[f];
+    if (figure.value == 0 || !std::isfinite(figure.value)) continue;
+    auto& group = chart.groups.emplace_back(formats::BarChart::Group{figure.name, {}});
+    for (const NumberEffect* effect : ranked(found, f)) {
+      if (group.rows.size() == kRows) break;
+      const double percent = 100 * effect_of_percent(*effect, f) / std::abs(figure.value);
+      group.rows.push_back({effect->number.path, {{percent, 0}}});
+    }
+  }
+  return chart;
+}
+
 std::string sensitivity_json(const Sensitivities& found, const std::vector<std::size_t>& figures,
                              const std::string& status) {
   Json of = Json::array(), to = Json::array();

@@ -60,7 +60,8 @@ COMMANDS = (
     (f"netloft scope {AT_SEA} --set gear.nodes=600 --depth 65:67:2 --warp 3.3:3.4:2 --heel -40:40 --output scope.html", "headline"),
     (f"netloft sensitivity {AT_SEA} {COMMON} --set gear.nodes=300 --threads 1 --scene-plugins --strategy auto --solver newton --to ship.speed "
      "--of mouth/headline_height", '"per_unit"'),
-    (f"netloft sensitivity {ROPE} --to parts.rope.rope --check", "end_tension"),
+    (f"netloft sensitivity {ROPE} --to parts.rope.rope --check -o bars.svg; ls bars.svg", "bars.svg"),
+    (f"netloft sensitivity {ROPE} --to parts.rope.rope --output more.svg; ls more.svg", "more.svg"),
     (f"hard_cases tests/stability --set analysis.newton.damping=0 --solver newton --size small --case flat-sketch --seed 2 --work 1000 "
      f"--seconds-per-case 5 --threads 1 -o matrix.html {COMMON}", '"newton"'),
     ("hard_cases tests/stability --strategy auto --without restarts --size small --case flat-sketch --update-references", "auto"),

@@ -36,6 +36,7 @@ COARSER = (
     (r"^(netloft compare .*)--set parts\.net\.cells=\[8,8\]", r"\1"), (r"^(netloft refine .*)--nodes \S+", r"\1--nodes 150,300"),
     (r"^(hard_cases .*)--size \S+", r"\1--size small"), (r"^(?!.* --case )(hard_cases .*)", r"\1 --case flat-sketch"),
     (r"^(hard_cases .*)", r"\1 --seconds-per-case 0.2"),
+    (r'^(netloft run .*) --set "parts\.net\.cells=\[\d+,\d+\]"', r"\1"),
     (r"^(netloft run .*(scene|panel)\.toml)", r"\1 --set parts.net.cells=[8,8]"),
     (r"^(netloft run .*panel-in-current\.toml).*", r"\1 --set parts.net.cells=[8,8] --set analysis.duration=0.5"))
 NEED = ("arkode", "kinsol")  # built only where their libraries are
