@@ -18,7 +18,7 @@ namespace netloft::formats {
 namespace {
 
 constexpr int kMostErrorsInAnArray = 5;
-constexpr int kMostUnknownKeys = 50;  // most that are reported in one table
+constexpr std::size_t kMostUnknownKeys = 50;  // most that are reported in one table
 
 std::string listed(const std::vector<std::string>& words) {
   constexpr std::size_t kMostListed = 40;
@@ -264,18 +264,20 @@ struct TableReader::State {
   Place place;
   std::string path;
   Diagnostics* diagnostics;
-  bool silent = false;                            // true for a table whose absence has been reported
-  std::vector<std::string> known = {};            // keys that have been requested, in this order
-  std::set<std::string, std::less<>> asked = {};  // the same keys, for a fast search
-  std::vector<const Member*> by_key = {};         // the members of the table, sorted by their keys
+  bool silent = false;                     // true for a table whose absence has been reported
+  std::vector<std::string> known = {};     // keys that have been requested, in this order, with repetitions
+  std::vector<bool> asked = {};            // for each member of the table: whether its key was requested
+  std::vector<const Member*> by_key = {};  // the members of a long table, sorted by their keys
   std::unordered_map<const Value*, std::shared_ptr<State>> opened = {};
 
   const Table& table() const {
     static const Table kEmpty;
     return value ? *value->as<Table>() : kEmpty;
   }
-  /// Finds a member by its key. Some tables, such as `[parts]`, have very many.
+  /// Finds a member by its key. Most tables are short, but some, such as `[parts]`, have very many members.
   const Member* find(std::string_view key) {
+    constexpr std::size_t kFew = 16;
+    if (table().members.size() <= kFew) return table().find(key);
     if (by_key.empty()) {
       for (const Member& member : table().members) by_key.push_back(&member);
       std::stable_sort(by_key.begin(), by_key.end(), [](auto* a, auto* b) { return a->key < b->key; });
@@ -285,25 +287,40 @@ struct TableReader::State {
                          [](const Member* member, std::string_view k) { return member->key < k; });
     return at != by_key.end() && (*at)->key == key ? *at : nullptr;
   }
-  void learn(std::string_view key) {
-    if (asked.contains(key)) return;
-    asked.emplace(key);
-    known.emplace_back(key);
+  /// Finds a member, and marks its key as known.
+  const Member* ask(std::string_view key) {
+    if (known.empty()) {
+      known.reserve(16);
+      asked.resize(table().members.size());
+    }
+    if (known.empty() || known.back() != key) known.emplace_back(key);
+    const Member* member = find(key);
+    if (member) asked[static_cast<std::size_t>(member - table().members.data())] = true;
+    return member;
   }
-  void report_unknown(const Member& member) const {
+  /// The known keys, each once.
+  std::vector<std::string> allowed() const {
+    std::set<std::string_view> seen;
+    std::vector<std::string> keys;
+    for (const std::string& key : known)
+      if (seen.insert(key).second) keys.push_back(key);
+    return keys;
+  }
+  void report_unknown(const Member& member, const std::vector<std::string>& allowed) const {
     const std::string in = path.empty() ? "" : " in " + path;
     std::string hint;
-    if (const auto near = nearest(member.key, known))
+    if (const auto near = nearest(member.key, allowed))
       hint = "did you mean " + in_quotes(*near) + '?';
-    else if (!known.empty())
-      hint = "allowed here: " + listed(known);
+    else if (!allowed.empty())
+      hint = "allowed here: " + listed(allowed);
     diagnostics->error(member.place, "unknown key " + in_quotes(member.key) + in, hint);
   }
   void finish() const {
-    int unknown = 0;
-    for (const Member& member : table().members) {
-      if (!asked.contains(member.key) && ++unknown <= kMostUnknownKeys) report_unknown(member);
-    }
+    std::vector<const Member*> unknown;
+    for (std::size_t i = 0; i < table().members.size() && unknown.size() < kMostUnknownKeys; ++i)
+      if (i >= asked.size() || !asked[i]) unknown.push_back(&table().members[i]);
+    const auto keys = unknown.empty() ? std::vector<std::string>{} : allowed();
+    for (const Member* member : unknown) report_unknown(*member, keys);
     for (const auto& [value_opened, child] : opened) child->finish();
   }
 };
@@ -314,24 +331,31 @@ TableReader::TableReader(const Value& table, Diagnostics& diagnostics, std::stri
 }
 
 const Value* TableReader::ask(std::string_view key) {
-  state_->learn(key);
-  const Member* member = state_->find(key);
+  const Member* member = state_->ask(key);
   return member ? &member->value : nullptr;
 }
 
 const Value* TableReader::ask(std::string_view key, bool required, const std::string& wanted,
                               const std::string& doc) {
+  return ask(
+      key, required, [&] { return wanted; }, doc);
+}
+
+template <std::invocable Describe>
+const Value* TableReader::ask(std::string_view key, bool required, const Describe& wanted,
+                              const std::string& doc) {
   const Value* value = ask(key);
   if (!value && required && !state_->silent) {
     const std::string in = state_->path.empty() ? "" : " in " + state_->path;
     state_->diagnostics->error(state_->place,
-                               "missing key " + in_quotes(key) + in + ": " + wanted + in_parentheses(doc));
+                               "missing key " + in_quotes(key) + in + ": " + wanted() + in_parentheses(doc));
   }
   return value;
 }
 
 double TableReader::real(std::string_view key, const RealSpec& spec) {
-  const Value* value = ask(key, !spec.fallback, wanted_real(spec.unit), spec.doc);
+  const Value* value = ask(
+      key, !spec.fallback, [&] { return wanted_real(spec.unit); }, spec.doc);
   if (!value) return spec.fallback.value_or(within(spec.range));
   const Spot at{*value, path(key), diagnostics()};
   const Wanted wanted{spec.unit, spec.range, spec.doc};
@@ -364,7 +388,8 @@ std::string TableReader::text(std::string_view key, const TextSpec& spec) {
 
 std::string TableReader::choice(std::string_view key, const ChoiceSpec& spec) {
   assert(!spec.allowed.empty());
-  const Value* value = ask(key, !spec.fallback, "one of " + listed(spec.allowed), spec.doc);
+  const Value* value = ask(
+      key, !spec.fallback, [&] { return "one of " + listed(spec.allowed); }, spec.doc);
   const std::string stand_in = spec.fallback.value_or(spec.allowed.front());
   if (!value) return stand_in;
   const Spot at{*value, path(key), diagnostics()};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -168,6 +169,8 @@ class TableReader {
   explicit TableReader(std::shared_ptr<State> state) : state_(std::move(state)) {}
   const Value* ask(std::string_view key);
   const Value* ask(std::string_view key, bool required, const std::string& wanted, const std::string& doc);
+  template <std::invocable Describe>
+  const Value* ask(std::string_view key, bool required, const Describe& wanted, const std::string& doc);
   TableReader open(const Value& table, const std::string& path);
 
   std::shared_ptr<State> state_;

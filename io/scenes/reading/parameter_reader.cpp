@@ -124,17 +124,17 @@ Values read_parameters(std::span<const netloft_parameter> table, formats::TableR
   Values values;
   std::map<std::string, formats::TableReader> groups;
   for (const auto& p : table) {
-    const std::string name = p.name;
+    const std::string_view name = p.name;
     const auto dot = name.find('.');
     formats::TableReader* reader = &from;
-    std::string key = name;
+    const std::string key(name.substr(dot + 1));  // the whole name if it has no dot
     if (dot != std::string::npos) {
-      const std::string group = name.substr(0, dot);
-      key = name.substr(dot + 1);
-      if (!groups.contains(group)) groups.emplace(group, open_group(table, from, group));
-      reader = &groups.at(group);
+      const std::string group(name.substr(0, dot));
+      auto own = groups.find(group);
+      if (own == groups.end()) own = groups.emplace(group, open_group(table, from, group)).first;
+      reader = &own->second;
     }
-    if (reader->has(key) || (p.flags & NETLOFT_REQUIRED)) values[name] = read_value(p, *reader, key);
+    if (reader->has(key) || (p.flags & NETLOFT_REQUIRED)) values[p.name] = read_value(p, *reader, key);
   }
   return values;
 }
