@@ -33,7 +33,7 @@ constexpr Style kColored = {"\033[1m", "\033[1;31m", "\033[1;33m", "\033[36m", "
 }  // namespace
 
 int Diagnostics::add_source(std::string name, std::string text, Source kind) {
-  sources_.push_back({std::move(name), std::move(text), kind});
+  sources_.push_back(std::make_shared<const Text>(Text{std::move(name), std::move(text), kind}));
   return static_cast<int>(sources_.size()) - 1;
 }
 
@@ -96,14 +96,14 @@ std::vector<Diagnostic> Diagnostics::sorted(bool are_accepted) const {
 
 std::string Diagnostics::where(const Place& place) const {
   if (place.file < 0) return {};
-  const Text& source = sources_[static_cast<std::size_t>(place.file)];
+  const Text& source = *sources_[static_cast<std::size_t>(place.file)];
   if (source.kind == Source::command_line || place.line == 0) return source.name;
   return source.name + ':' + std::to_string(place.line) + ':' + std::to_string(place.column);
 }
 
 std::string Diagnostics::source_line(const Place& place) const {
   if (place.file < 0 || place.line < 1) return {};
-  const std::string& text = sources_[static_cast<std::size_t>(place.file)].text;
+  const std::string& text = sources_[static_cast<std::size_t>(place.file)]->text;
   std::size_t begin = 0;
   for (int line = 1; line < place.line; ++line) {
     begin = text.find('\n', begin);

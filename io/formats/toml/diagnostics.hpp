@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <set>
 #include <string>
 #include <tuple>
@@ -66,7 +67,9 @@ class Diagnostics {
   /// find, is needed.
   bool wants_hints() const { return errors_ < static_cast<int>(kMostShown); }
   /// Whether proposals for the next message are still tried. If not, none needs to be made.
-  bool wants_cures() const { return entries_.size() < kMostCured; }
+  bool wants_cures() const { return tries_cures_ && entries_.size() < kMostCured; }
+  /// `tries`: whether somebody tries the proposals for later messages.
+  void expect_trials(bool tries) { tries_cures_ = tries; }
   /// Number of warnings that the user does not accept.
   int warnings() const { return static_cast<int>(entries_.size()) - errors_ - accepted_; }
 
@@ -97,10 +100,11 @@ class Diagnostics {
   std::string source_line(const Place& place) const;
   std::string excerpt(const Place& place) const;
 
-  std::vector<Text> sources_;
+  std::vector<std::shared_ptr<const Text>> sources_;  // shared with copies
   std::vector<Diagnostic> entries_;
   std::set<std::tuple<int, int, int, std::string>> seen_;
   int errors_ = 0, accepted_ = 0;
+  bool tries_cures_ = true;
 };
 
 }  // namespace netloft::formats

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/gears/meshing/gear_mesh.hpp"
-
-#include "io/gears/meshing/recent.hpp"
+#include "io/gears/plan/recent.hpp"
 
 #include <memory>
 #include <utility>

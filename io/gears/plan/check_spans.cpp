@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/gear.hpp"
+#include "io/gears/plan/names.hpp"
 
 #include <fmt/format.h>
 
@@ -90,9 +91,11 @@ void say_too_short(const GearPoint& a, const GearPoint& b, double length, format
 }
 
 /// Refuses a loose loop: a rope that begins and ends at the same point and has no edge hung on it.
-void check_loops(const Gear& gear, const RopeWays& ways, formats::Diagnostics& diagnostics) {
+void check_loops(const NetPlan& plan, const Gear& gear, const RopeWays& ways,
+                 formats::Diagnostics& diagnostics) {
+  const HangingsByRope hangings = hangings_by_rope(plan);
   for (const auto& rope : gear.ropes) {
-    if (!rope.hung.empty() || rope.is_mirrored) continue;
+    if (hangings.contains(rope.rope->name) || rope.is_mirrored) continue;
     const bool is_across = !rope.middle.empty();
     const double length = is_across ? rope.length / 2 : rope.length;
     const auto reached = ways.from(*ways.find(rope.name + ".end"), length * 1e-6);
@@ -106,9 +109,9 @@ void check_loops(const Gear& gear, const RopeWays& ways, formats::Diagnostics& d
 }  // namespace
 
 void check_spans(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
-  const Gear gear = make_gear(plan, Extent::whole);
+  const Gear gear = make_rigging(plan);
   const RopeWays ways(gear);
-  check_loops(gear, ways, diagnostics);
+  check_loops(plan, gear, ways, diagnostics);
   std::set<std::pair<const Point*, const Point*>> said;  // port and starboard would give the same message
   for (std::size_t i = 0; i < gear.points.size(); ++i) {
     const GearPoint& a = gear.points[i];

@@ -13,7 +13,8 @@ namespace {
 NetPlan read_and_check(const std::optional<PlanDocument>& document, HintTrials trials,
                        formats::Diagnostics& diagnostics) {
   if (!document) return {};
-  NetPlan plan = read_and_check(document->root, document->catalogue, trials, diagnostics);
+  PlanMemory none;
+  NetPlan plan = read_and_check(document->root, document->catalogue, none, trials, diagnostics);
   formats::accept_warnings(document->root, diagnostics);
   plan.files = document->files;
   return plan;
@@ -21,12 +22,18 @@ NetPlan read_and_check(const std::optional<PlanDocument>& document, HintTrials t
 
 }  // namespace
 
-NetPlan read_and_check(const formats::Value& root, const Catalogue& catalogue, HintTrials trials,
-                       formats::Diagnostics& diagnostics) {
-  NetPlan plan = read_plan(root, catalogue, diagnostics);
-  if (diagnostics.errors() == 0) check_plan(plan, diagnostics);
-  formats::mark_accepted(root, diagnostics);
-  if (trials == HintTrials::of_all || diagnostics.errors()) try_cures(root, catalogue, diagnostics);
+NetPlan read_and_check(const formats::Value& root, const Catalogue& catalogue, PlanMemory& memory,
+                       HintTrials trials, formats::Diagnostics& diagnostics) {
+  formats::Diagnostics said = diagnostics;
+  said.expect_trials(trials == HintTrials::of_all);
+  NetPlan plan = read_plan(root, catalogue, memory, said);
+  if (said.errors() == 0) check_plan(plan, said);
+  if (trials == HintTrials::of_errors && said.errors())  // only now it is known that proposals are needed
+    return read_and_check(root, catalogue, memory, HintTrials::of_all, diagnostics);
+  formats::mark_accepted(root, said);
+  if (trials == HintTrials::of_all) try_cures(root, catalogue, said);
+  said.expect_trials(true);
+  diagnostics = std::move(said);
   return plan;
 }
 

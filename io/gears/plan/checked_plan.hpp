@@ -9,9 +9,9 @@ namespace netloft::gears {
 enum class HintTrials { of_errors, of_all };
 
 /// Reads a plan from its tables, checks whether the net can be sewn, and tries what the hints propose.
-/// Warnings that the key `accept` names are marked as accepted.
-NetPlan read_and_check(const formats::Value& root, const Catalogue& catalogue, HintTrials trials,
-                       formats::Diagnostics& diagnostics);
+/// Warnings that the key `accept` names are marked as accepted. Parts stored in `memory` are taken over.
+NetPlan read_and_check(const formats::Value& root, const Catalogue& catalogue, PlanMemory& memory,
+                       HintTrials trials, formats::Diagnostics& diagnostics);
 
 /// Reads and checks the plan in a file for use, with `overrides` applied. Entries of `accept` that match
 /// nothing are reported.

@@ -16,6 +16,11 @@ const char* prefix(Side side) {
   return side == Side::starboard ? "starboard-" : side == Side::port ? "port-" : "";
 }
 
+/// Whether `full` is a name with the prefix of a side.
+bool is_on(Side side, std::string_view name, std::string_view full) {
+  return full.ends_with(name) && full.substr(0, full.size() - name.size()) == prefix(side);
+}
+
 OutlineEdge mirrored(OutlineEdge edge) {
   std::swap(edge.from, edge.to);
   edge.from.x = -edge.from.x;
@@ -66,8 +71,7 @@ class GearMaker {
       add_seam(plan_.joins[j]);
       for (std::size_t s = first; s < gear_.seams.size(); ++s) gear_.seams[s].join = j;
     }
-    for (const auto& rope : plan_.ropes) add_rope(rope);
-    for (const auto& point : plan_.points) add_point(point);
+    add_rigging();
     for (const auto& body : plan_.bodies)
       for (const Side side : sides_of(body.stands))
         gear_.bodies.push_back({prefix(side) + body.name, &body, side == Side::port});
@@ -75,7 +79,18 @@ class GearMaker {
     return std::move(gear_);
   }
 
+  /// Makes only the ropes, without the edges hung on them, and the points.
+  Gear make_rigging() {
+    add_rigging();
+    return std::move(gear_);
+  }
+
  private:
+  void add_rigging() {
+    for (const auto& rope : plan_.ropes) add_rope(rope);
+    for (const auto& point : plan_.points) add_point(point);
+  }
+
   bool is_whole() const { return gear_.extent == Extent::whole; }
 
   std::vector<Side> sides_of(Standing stands) const {
@@ -108,11 +123,11 @@ class GearMaker {
 
   void append_edges(std::vector<EdgeRef>& refs, std::size_t p, const OutlineEdge& sought, Side side) const {
     const GearPanel& panel = gear_.panels[p];
-    if (panel.name == prefix(other(side)) + panel.panel->name && side != Side::none) return;
+    if (side != Side::none && is_on(other(side), panel.panel->name, panel.name)) return;
     for (std::size_t e = 0; e < panel.outline.edges.size(); ++e) {
       const OutlineEdge& edge = panel.outline.edges[e];
-      const bool is_it = edge.name == sought.name || edge.name == prefix(side) + sought.name;
-      if (edge.kind == sought.kind && is_it) refs.push_back({p, e});
+      if (edge.kind == sought.kind && (edge.name == sought.name || is_on(side, sought.name, edge.name)))
+        refs.push_back({p, e});
     }
   }
 
@@ -195,7 +210,7 @@ class GearMaker {
                    {},
                    {},
                    ""};
-      one.hung = hung_on(rope, side);
+      if (!gear_.panels.empty()) one.hung = hung_on(rope, side);
       tie(one, side);
       gear_.ropes.push_back(std::move(one));
     }
@@ -312,6 +327,8 @@ class GearMaker {
 }  // namespace
 
 Gear make_gear(const NetPlan& plan, Extent extent) { return GearMaker(plan, extent).make(); }
+
+Gear make_rigging(const NetPlan& plan) { return GearMaker(plan, Extent::whole).make_rigging(); }
 
 const GearPanel* Gear::find_panel(const std::string& name) const {
   const auto at = panel_names_.find(name, panels, [](const GearPanel& panel) { return panel.name; });

@@ -123,5 +123,7 @@ struct Gear {
 
 /// Makes the gear of a plan without errors (check.hpp).
 Gear make_gear(const NetPlan& plan, Extent extent);
+/// Makes only the ropes and points of the whole gear, without edges hung on ropes.
+Gear make_rigging(const NetPlan& plan);
 
 }  // namespace netloft::gears

@@ -19,7 +19,7 @@ DottedName split(const std::string& name) {
   return {name.substr(0, dot), name.substr(dot + 1)};
 }
 
-bool stands_for(const std::string& word, const OutlineEdge& edge) {
+bool stands_for(std::string_view word, const OutlineEdge& edge) {
   switch (edge.kind) {
     case EdgeKind::fore:
       return word == "fore" || word == edge.name;

@@ -36,8 +36,9 @@ bool joins_parts(formats::TableReader& join) {
 /// Reads one plan; the member functions are steps in the order of execution.
 class PlanReader {
  public:
-  PlanReader(const formats::Value& root, const Catalogue& catalogue, formats::Diagnostics& diagnostics)
-      : root_(root, diagnostics), diagnostics_(diagnostics), catalogue_(catalogue) {
+  PlanReader(const formats::Value& root, const Catalogue& catalogue, PlanMemory& memory,
+             formats::Diagnostics& diagnostics)
+      : root_(root, diagnostics), diagnostics_(diagnostics), catalogue_(catalogue), memory_(memory) {
     for (const char* key : {"catalogue", "accept"}) root_.has(key);  // the caller reads these keys
   }
 
@@ -48,13 +49,17 @@ class PlanReader {
       return std::move(plan_);
     }
     read_head();
-    read_named("panels", "the pieces of netting, a table each", formats::Presence::required,
-               [&](const std::string& name, formats::TableReader& t) {
-                 plan_.panels.push_back(read_panel(name, t, catalogue_));
-                 complete(plan_.panels.back());
-               });
-    read_named("ropes", "ropes, wires and chains", formats::Presence::optional,
-               [&](const auto& name, auto& t) { plan_.ropes.push_back(read_rope(name, t, catalogue_)); });
+    read_tables(
+        "panels", "the pieces of netting, a table each", formats::Presence::required, memory_.panels,
+        [&](const std::string& name, formats::TableReader& t) {
+          Panel panel = read_panel(name, t, catalogue_);
+          complete(panel);
+          return panel;
+        },
+        plan_.panels);
+    read_tables(
+        "ropes", "ropes, wires and chains", formats::Presence::optional, memory_.ropes,
+        [&](const auto& name, auto& t) { return read_rope(name, t, catalogue_); }, plan_.ropes);
     read_named("floats", "floats and weights", formats::Presence::optional,
                [&](const auto& name, auto& t) { plan_.pieces.push_back(read_pieces(name, t, catalogue_)); });
     read_named("points", "points that ropes lead to", formats::Presence::optional,
@@ -100,12 +105,44 @@ class PlanReader {
   template <class Read>
   void read_named(const char* key, const char* doc, formats::Presence presence, const Read& read) {
     formats::TableReader tables = root_.table(key, presence, doc);
+    for_names(tables, [&](const std::string& name) {
+      formats::TableReader table = tables.table(name);
+      read(name, table);
+    });
+  }
+
+  /// Calls visit(name) for all tables in `tables`.
+  template <class Visit>
+  void for_names(formats::TableReader& tables, const Visit& visit) {
     for (const auto& name : tables.keys()) {
       check_name(name, tables);
       formats::report({"reading", name});
-      formats::TableReader table = tables.table(name);
-      if (table.diagnostics().errors() == 0 || tables.kind(name) == formats::Kind::table) read(name, table);
+      if (tables.kind(name) == formats::Kind::table)
+        visit(name);
+      else
+        tables.table(name);  // reports that it is no table
     }
+  }
+
+  /// Reads the parts of one kind, and takes over those whose table has been read before.
+  template <class T, class Read>
+  void read_tables(const char* key, const char* doc, formats::Presence presence, TablesRead<T>& stored,
+                   const Read& read, std::vector<T>& parts) {
+    formats::TableReader tables = root_.table(key, presence, doc);
+    for_names(tables, [&](const std::string& name) {
+      auto& recent = stored.try_emplace(name, 1).first->second;
+      const auto part = recent.of(*tables.raw(name), [&](const formats::Value& table) {
+        auto one = std::make_shared<TableRead<T>>();
+        formats::Diagnostics said = diagnostics_.without_messages();
+        formats::TableReader reader(table, said, tables.path(name));
+        one->part = read(name, reader);
+        reader.finish();
+        one->messages = said.messages();
+        return one;
+      });
+      diagnostics_.take_messages(part->messages);
+      parts.push_back(part->part);
+    });
   }
 
   /// A dot separates a name from its edges and points, so names must not contain one; and each name is used
@@ -137,6 +174,7 @@ class PlanReader {
   formats::TableReader root_;
   formats::Diagnostics& diagnostics_;
   const Catalogue& catalogue_;
+  PlanMemory& memory_;
   NetPlan plan_;
   std::set<std::string> names_;
 };
@@ -170,7 +208,7 @@ std::optional<PlanDocument> with_catalogue(formats::Value root, const std::vecto
 
 NetPlan read_document(const std::optional<PlanDocument>& document, formats::Diagnostics& diagnostics) {
   if (!document) return {};
-  NetPlan plan = PlanReader(document->root, document->catalogue, diagnostics).read();
+  NetPlan plan = read_plan(document->root, document->catalogue, diagnostics);
   plan.files = document->files;
   return plan;
 }
@@ -222,7 +260,13 @@ formats::Value tables_of_plan(formats::Value scene) {
 
 NetPlan read_plan(const formats::Value& tables, const Catalogue& catalogue,
                   formats::Diagnostics& diagnostics) {
-  return PlanReader(tables, catalogue, diagnostics).read();
+  PlanMemory none;
+  return PlanReader(tables, catalogue, none, diagnostics).read();
+}
+
+NetPlan read_plan(const formats::Value& tables, const Catalogue& catalogue, PlanMemory& memory,
+                  formats::Diagnostics& diagnostics) {
+  return PlanReader(tables, catalogue, memory, diagnostics).read();
 }
 
 NetPlan read_plan_text(const std::string& text, const std::string& name, formats::Diagnostics& diagnostics) {
@@ -233,7 +277,7 @@ NetPlan read_plan_text(const std::string& text, const std::string& name, const C
                        formats::Diagnostics& diagnostics) {
   const formats::Document document = formats::Document::parse(text, name, {}, diagnostics);
   if (diagnostics.errors()) return {};
-  NetPlan plan = PlanReader(document.root(), catalogue, diagnostics).read();
+  NetPlan plan = read_plan(document.root(), catalogue, diagnostics);
   plan.files = joined(document.files(), catalogue.files());
   return plan;
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include "io/gears/catalogue/catalogue.hpp"
 #include "io/gears/plan/net_plan.hpp"
+#include "io/gears/plan/plan_memory.hpp"
 
 #include <filesystem>
 
@@ -39,6 +40,10 @@ formats::Value tables_of_plan(formats::Value scene);
 
 /// Reads the plan from tables that `tables_of_plan` returned, without a record of files.
 NetPlan read_plan(const formats::Value& tables, const Catalogue& catalogue,
+                  formats::Diagnostics& diagnostics);
+
+/// Takes over the parts of the plan that are stored in `memory`, which must be about this catalogue.
+NetPlan read_plan(const formats::Value& tables, const Catalogue& catalogue, PlanMemory& memory,
                   formats::Diagnostics& diagnostics);
 
 /// Reads a plan from a text in memory.

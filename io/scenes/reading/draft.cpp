@@ -9,8 +9,13 @@
 namespace netloft::scenes {
 
 void drop_repeats(std::vector<std::uint32_t>& nodes) {
-  std::set<std::uint32_t> seen;
-  std::erase_if(nodes, [&](std::uint32_t node) { return !seen.insert(node).second; });
+  if (nodes.empty()) return;
+  std::vector<bool> seen(std::size_t{*std::ranges::max_element(nodes)} + 1);
+  std::erase_if(nodes, [&](std::uint32_t node) {
+    const bool again = seen[node];
+    seen[node] = true;
+    return again;
+  });
 }
 
 Mention mention(const std::string& name, const formats::TableReader& table, std::string_view key) {
@@ -28,7 +33,7 @@ Mention mention_of_item(const std::string& name, formats::TableReader& table, st
 }
 
 void Draft::add_part(Part part, Geometry geometry, const ElementType* type, bool sound) {
-  part.data = geometry.data;
+  part.data = std::move(geometry.data);
   types.push_back(type);
   is_sound.push_back(sound);
   out.scene.parts.push_back(std::move(part));

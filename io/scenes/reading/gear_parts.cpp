@@ -33,6 +33,26 @@ void keep_strength(LoadedScene& loaded, const std::string& part, const formats::
   if (load > 0) loaded.strengths[part] = {load, material};
 }
 
+/// The geometry of a panel without positions. It depends only on data with which the panel was divided.
+Geometry geometry_of(const gears::Panel& plan, const gears::PanelMesh& mesh) {
+  Geometry geometry;
+  geometry.names.panel = mesh.meshes;
+  geometry.names.sets = mesh.sets;
+  geometry.elements = mesh.triangles;
+  auto &us = geometry.data[datum::kU.name], &vs = geometry.data[datum::kV.name],
+       &to_aft = geometry.data[datum::kToAft.name];
+  for (const auto own : mesh.triangles) {
+    const auto [U, V] = mesh.meshes[own];
+    const auto [u, v] = gears::twine_coordinates(plan.orientation, plan.angle, U, V);
+    us.push_back(u);
+    vs.push_back(v);
+    to_aft.push_back(plan.depth - V);
+  }
+  geometry.data[datum::kBarLength.name].assign(mesh.triangles.size() / 3, plan.mesh / 2);
+  geometry.data[datum::kOutward.name].assign(mesh.triangles.size() / 3, 1);
+  return geometry;
+}
+
 }  // namespace
 
 bool GearParts::is_seam(formats::TableReader& join) const {
@@ -42,12 +62,12 @@ bool GearParts::is_seam(formats::TableReader& join) const {
 }
 
 GearParts::GearParts(const gears::NetPlan& plan, formats::TableReader& root, const ElementChoice& choice,
-                     Draft& draft, gears::Divisions& divisions)
+                     Draft& draft, GearMemory& memory)
     : plan_(plan),
       draft_(draft),
       diagnostics_(root.diagnostics()),
       place_(root.place("gear")),
-      divisions_(divisions) {
+      memory_(memory) {
   for (const char* key : {"panels", "ropes", "hang", "floats", "points", "bodies", "ship"}) root.has(key);
   const int errors_before = diagnostics_.errors();
   GearInScene& in_scene = draft_.out.gear.emplace();
@@ -65,14 +85,14 @@ GearParts::GearParts(const gears::NetPlan& plan, formats::TableReader& root, con
   }
   insert_names();
   formats::TableReader table = root.table("elements", formats::Presence::optional);
-  elements_.emplace(plan, gear_, table, choice);
+  elements_.emplace(plan, gear_, table, choice, memory);
   is_sound_ = diagnostics_.errors() == errors_before;
 }
 
 bool GearParts::divide() {
   if (!is_sound_) return false;
   try {
-    division_ = divisions_.of(plan_, gear_.extent, fineness_);
+    division_ = memory_.divisions.of(plan_, gear_.extent, fineness_);
   } catch (const gears::CannotDivide& refused) {
     refused.report(plan_, diagnostics_);
     return false;
@@ -80,8 +100,14 @@ bool GearParts::divide() {
     diagnostics_.error(place_, cannot_be_meshed.what());
     return false;
   }
+  panels_ = memory_.panels.of(division_, [&](const auto& division) {
+    auto panels = std::make_shared<std::vector<Geometry>>();
+    for (std::size_t p = 0; p < division->mesh().panels.size(); ++p)
+      panels->push_back(geometry_of(*gear_.panels[p].panel, division->mesh().panels[p]));
+    return panels;
+  });
   if (fineness_.knots) draft_.out.gear->nodes = mesh().nodes;
-  own_.resize(mesh().nodes);
+  first_.resize(mesh().nodes);
   return mesh().nodes > 0;
 }
 
@@ -159,7 +185,7 @@ void GearParts::tie(const gears::GearBody& body, std::size_t part) {
   for (std::uint32_t k = 0; geometry.body && k < geometry.body->names.size(); ++k) {
     const auto node = mesh().points.find(body.name + "." + geometry.body->names[k]);
     if (node == mesh().points.end()) continue;
-    own_[node->second].push_back({part, k + 1});
+    own(node->second, {part, k + 1});
     for (int axis = 0; axis < 3; ++axis)
       known_.push_back({node->second, axis,
                         geometry.positions[3 * (k + std::size_t{1}) + static_cast<std::size_t>(axis)]});
@@ -174,30 +200,11 @@ void GearParts::read_parts(PartReader& parts) {
 
 void GearParts::add_parts() {
   start_ = division_->start_shapes().with(gear_, known_);
-  for (std::size_t p = 0; p < mesh().panels.size(); ++p) add_panel(gear_.panels[p], mesh().panels[p]);
+  for (std::size_t p = 0; p < mesh().panels.size(); ++p)
+    add_netting(gear_.panels[p], (*panels_)[p], mesh().panels[p].nodes);
   for (std::size_t r = 0; r < mesh().ropes.size(); ++r) add_rope(gear_.ropes[r], mesh().ropes[r]);
   for (const auto& pieces : gear_.pieces) draft_.announce_rider(pieces.name);
   name_points();
-}
-
-void GearParts::add_panel(const gears::GearPanel& panel, const gears::PanelMesh& mesh) {
-  const gears::Panel& plan = *panel.panel;
-  Geometry geometry;
-  geometry.names.panel = mesh.meshes;
-  geometry.names.sets = mesh.sets;
-  geometry.elements = mesh.triangles;
-  auto &us = geometry.data[datum::kU.name], &vs = geometry.data[datum::kV.name],
-       &to_aft = geometry.data[datum::kToAft.name];
-  for (const auto own : mesh.triangles) {
-    const auto [U, V] = mesh.meshes[own];
-    const auto [u, v] = gears::twine_coordinates(plan.orientation, plan.angle, U, V);
-    us.push_back(u);
-    vs.push_back(v);
-    to_aft.push_back(plan.depth - V);
-  }
-  geometry.data[datum::kBarLength.name].assign(mesh.triangles.size() / 3, plan.mesh / 2);
-  geometry.data[datum::kOutward.name].assign(mesh.triangles.size() / 3, 1);
-  add_netting(panel, std::move(geometry), mesh.nodes);
 }
 
 /// Adds a panel with its twine. `nodes`: for each node of the panel, its number in the gear.
@@ -238,35 +245,37 @@ void GearParts::add_part(std::string_view kind, const std::string& name, const s
     diagnostics_.error(geometry.names.place, path + "." + fault->key + ": " + fault->message, kThicknessCure);
   geometry.names.name = name;
   const std::size_t p = draft_.geometries.size();
+  geometry.positions.resize(3 * nodes.size());
   for (std::uint32_t own = 0; own < nodes.size(); ++own) {
-    own_[nodes[own]].push_back({p, own});
-    const auto x = start_.begin() + 3 * std::ptrdiff_t{nodes[own]};
-    geometry.positions.insert(geometry.positions.end(), x, x + 3);
+    this->own(nodes[own], {p, own});
+    std::copy_n(start_.begin() + 3 * std::ptrdiff_t{nodes[own]}, 3,
+                geometry.positions.begin() + 3 * std::ptrdiff_t{own});
   }
   GearInScene& gear = *draft_.out.gear;
   (kind == "netting" ? gear.panels : gear.ropes).push_back(static_cast<std::uint32_t>(p));
   draft_.add_part(std::move(part), std::move(geometry), elements_->type_of(kind), is_sound);
 }
 
+void GearParts::own(std::uint32_t gear_node, const Joiner::OwnNode& node) {
+  if (first_[gear_node])
+    others_.push_back({gear_node, node});
+  else
+    first_[gear_node] = node;
+}
+
 /// Names the points of the plan that belong to no part, such as towing points.
 void GearParts::name_points() {
   for (const auto& [name, node] : mesh().points)
-    if (name.find('.') == std::string::npos && !own_[node].empty()) {
-      const auto& [part, own] = own_[node].front();
-      draft_.points[name] = {part, {own}};
-    }
+    if (name.find('.') == std::string::npos && first_[node])
+      draft_.points[name] = {first_[node]->first, {first_[node]->second}};
 }
 
 void GearParts::join(Joiner& joiner) const {
-  for (const auto& same : own_) {
-    std::vector<Joiner::Ends> ends;
-    for (const auto& [part, own] : same) ends.push_back({part, {own}});
-    if (ends.size() > 1) joiner.join(ends);
-  }
+  for (const auto& [gear_node, other] : others_) joiner.join(*first_[gear_node], other);
 }
 
 std::uint32_t GearParts::scene_node(std::uint32_t gear_node) const {
-  const auto& [part, own] = own_[gear_node].front();
+  const auto& [part, own] = *first_[gear_node];
   return draft_.out.parts[part].nodes[own];
 }
 
@@ -481,10 +490,12 @@ void GearParts::follow_holds() {
   if (mesh().nodes == 0) return;
   Scene& scene = draft_.out.scene;
   std::vector<gears::KnownCoordinate> known = known_;
-  for (std::uint32_t node = 0; node < mesh().nodes; ++node)
+  for (std::uint32_t node = 0; node < mesh().nodes; ++node) {
+    const auto in = scene_node(node);
     for (int axis = 0; axis < 3; ++axis)
-      if (const auto in = scene_node(node); scene.held[in] & (1 << axis) && !scene.frames.contains(in))
+      if (scene.held[in] & (1 << axis) && !scene.frames.contains(in))
         known.push_back({node, axis, scene.positions[3 * std::size_t{in} + static_cast<std::size_t>(axis)]});
+  }
   const auto start = division_->start_shapes().with(gear_, known);
   for (std::uint32_t node = 0; node < mesh().nodes; ++node)
     std::copy_n(start.begin() + 3 * std::ptrdiff_t{node}, 3,

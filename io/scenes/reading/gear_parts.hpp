@@ -25,7 +25,7 @@ class GearParts : public GearSteps {
  public:
   /// Reads `[gear]` and `[elements]`. `plan` must have no errors.
   GearParts(const gears::NetPlan& plan, formats::TableReader& root, const ElementChoice& choice, Draft& draft,
-            gears::Divisions& divisions);
+            GearMemory& memory);
 
   bool divide() override;
   void read_undivided(PartReader& parts) override;
@@ -50,7 +50,6 @@ class GearParts : public GearSteps {
 
   void read_bodies(PartReader& parts);
   void insert_names();
-  void add_panel(const gears::GearPanel& panel, const gears::PanelMesh& mesh);
   void add_netting(const gears::GearPanel& panel, Geometry geometry, const std::vector<std::uint32_t>& nodes);
   void add_rope(const gears::GearRope& rope, const gears::RopeMesh& mesh);
   bool read_pieces(const gears::GearPieces& pieces, Part& part) const;
@@ -63,6 +62,8 @@ class GearParts : public GearSteps {
   /// part.
   void tie(const gears::GearBody& body, std::size_t part);
   void add_parts();
+  /// Records that a part has a node of the gear.
+  void own(std::uint32_t gear_node, const Joiner::OwnNode& node);
   void hold_middle();
   void hold_blocks();
   void name_points();
@@ -80,16 +81,18 @@ class GearParts : public GearSteps {
   gears::Gear gear_;
   std::set<std::string> names_;           // names of everything in the gear
   std::optional<PlanElements> elements_;  // nullopt until `[elements]` is read
-  gears::Divisions& divisions_;
+  GearMemory& memory_;
   gears::Fineness fineness_;
-  bool is_sound_ = false;                      // false after an error in `[gear]` or `[elements]`
-  std::shared_ptr<gears::Division> division_;  // nullptr before divide() and after an error
+  bool is_sound_ = false;                                // false after an error in `[gear]` or `[elements]`
+  std::shared_ptr<gears::Division> division_;            // nullptr before divide() and after an error
+  std::shared_ptr<const std::vector<Geometry>> panels_;  // geometries of the panels, without positions
   // Coordinates that the points of bodies fix, for the initial shape.
   std::vector<gears::KnownCoordinate> known_;
   std::vector<double> start_;  // initial positions, 3 per node of the gear
-  /// For each node of the gear: the parts that have this node, each with the number of the node within the
-  /// part. The first part determines its position.
-  std::vector<std::vector<std::pair<std::size_t, std::uint32_t>>> own_;
+  /// For each node of the gear: the first part that has this node, which determines its position, and the
+  /// number of the node within the part; nullopt before a part has it.
+  std::vector<std::optional<Joiner::OwnNode>> first_;
+  std::vector<std::pair<std::uint32_t, Joiner::OwnNode>> others_;  // nodes of the gear in further parts
 };
 
 }  // namespace netloft::scenes

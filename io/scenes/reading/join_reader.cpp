@@ -95,7 +95,9 @@ void JoinReader::number(Joiner& joiner) {
   for (std::size_t p = 0; p < draft_.geometries.size(); ++p) {
     PartGeometry& names = draft_.geometries[p].names;
     names.nodes = joiner.nodes(p);
-    for (const auto own : draft_.geometries[p].elements) out.scene.parts[p].nodes.push_back(names.nodes[own]);
+    const auto& elements = draft_.geometries[p].elements;
+    out.scene.parts[p].nodes.reserve(elements.size());
+    for (const auto own : elements) out.scene.parts[p].nodes.push_back(names.nodes[own]);
     out.parts.push_back(names);
   }
 }

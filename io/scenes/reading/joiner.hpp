@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace netloft::scenes {
@@ -31,14 +32,20 @@ class Joiner {
     std::iota(leader_.begin(), leader_.end(), 0u);
   }
 
+  /// A node, by its part and its number within the part.
+  using OwnNode = std::pair<std::size_t, std::uint32_t>;
+
+  /// Merges two nodes into one.
+  void join(const OwnNode& one, const OwnNode& other) {
+    const auto a = find(first_[one.first] + one.second), b = find(first_[other.first] + other.second);
+    leader_[std::max(a, b)] = std::min(a, b);
+  }
+
   /// For each i, merges the nodes with index i of all sets into one node.
   void join(const std::vector<Ends>& sets) {
     for (std::size_t s = 1; s < sets.size(); ++s)
-      for (std::size_t i = 0; i < sets[0].own.size(); ++i) {
-        const auto a = find(first_[sets[0].part] + sets[0].own[i]),
-                   b = find(first_[sets[s].part] + sets[s].own[i]);
-        leader_[std::max(a, b)] = std::min(a, b);
-      }
+      for (std::size_t i = 0; i < sets[0].own.size(); ++i)
+        join({sets[0].part, sets[0].own[i]}, {sets[s].part, sets[s].own[i]});
   }
 
   /// All nodes of all sets become one node at their mean position, for example where netting is gathered.
@@ -75,6 +82,9 @@ class Joiner {
   /// Numbers the nodes that remain after joins, and fills positions, labels and `held` of the scene.
   void number(Scene& scene) {
     number_.assign(leader_.size(), 0);
+    scene.positions.reserve(3 * leader_.size());
+    scene.labels.reserve(leader_.size());
+    scene.held.reserve(leader_.size());
     std::uint32_t node = 0;
     for (std::uint32_t p = 0; p < geometries_.size(); ++p)
       for (std::uint32_t own = 0; own < geometries_[p].node_count(); ++own, ++node) {
@@ -83,8 +93,8 @@ class Joiner {
           continue;
         }
         number_[node] = static_cast<std::uint32_t>(scene.held.size());
-        const double* x = &geometries_[p].positions[3 * std::size_t{own}];
-        scene.positions.insert(scene.positions.end(), x, x + 3);
+        for (std::size_t k = 3 * std::size_t{own}, end = k + 3; k < end; ++k)
+          scene.positions.push_back(geometries_[p].positions[k]);
         scene.labels.push_back({p, own});
         scene.held.push_back(0);
       }

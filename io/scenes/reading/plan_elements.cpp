@@ -31,8 +31,8 @@ const formats::Value* find_exception(const std::map<std::string, formats::Value>
 }  // namespace
 
 PlanElements::PlanElements(const gears::NetPlan& plan, const gears::Gear& gear,
-                           formats::TableReader& elements, const ElementChoice& choice)
-    : plan_(plan), choice_(choice), diagnostics_(elements.diagnostics()) {
+                           formats::TableReader& elements, const ElementChoice& choice, GearMemory& memory)
+    : plan_(plan), choice_(choice), memory_(memory), diagnostics_(elements.diagnostics()) {
   for (const auto& of : gear_elements())
     if (of.kind != std::string_view(kContact))
       made_.push_back(read_elements(elements, of));
@@ -108,7 +108,6 @@ const PlanElements::Made& PlanElements::made(std::string_view kind) const {
 bool PlanElements::read_part(std::string_view kind, const std::string& path, formats::Value numbers,
                              bool is_of_catalogue, Part& part) const {
   const Made& how = made(kind);
-  const int errors_before = diagnostics_.errors();
   if (formats::Table* table = numbers.as<formats::Table>(); table && is_of_catalogue)
     drop_unknown_numbers(*table, *how.type, how.of->key);
   formats::Value whole{numbers.place, formats::Table{}};
@@ -117,11 +116,28 @@ bool PlanElements::read_part(std::string_view kind, const std::string& path, for
   for (const auto* exceptions : {&exceptions_of_pairs_, &exceptions_})
     if (const auto said = exceptions->find(part.name); said != exceptions->end())
       formats::merge(whole, without_contact(said->second));
-  formats::TableReader reader(whole, diagnostics_, path);
+  auto& recent = memory_.parts.try_emplace(part.name, 1).first->second;
+  const auto read = recent.of({how.type, path, std::move(whole)}, [&](const PartTable& input) {
+    return read_table(input, diagnostics_.without_messages());
+  });
+  if (!read->is_sound) memory_.parts.erase(part.name);  // a plugin may be to blame, and is asked again
+  diagnostics_.take_messages(read->messages);
+  part.type = read->part.type;
+  part.parameters = read->part.parameters;
+  part.laws = read->part.laws;
+  return read->is_sound;
+}
+
+std::shared_ptr<const PartTableRead> PlanElements::read_table(const PartTable& input,
+                                                              formats::Diagnostics said) const {
+  auto read = std::make_shared<PartTableRead>();
+  formats::TableReader reader(input.table, said, input.path);
   reader.has("type");
-  choice_.read(*how.type, reader, part);
+  choice_.read(*input.type, reader, read->part);
   reader.finish();
-  return diagnostics_.errors() == errors_before;
+  read->messages = said.messages();
+  read->is_sound = said.errors() == 0;
+  return read;
 }
 
 formats::Value PlanElements::contact_of(const std::string& name, std::vector<std::string> on,

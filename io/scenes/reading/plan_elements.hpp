@@ -3,6 +3,7 @@
 #include "io/gears/plan/gear.hpp"
 #include "io/gears/plan/net_plan.hpp"
 #include "io/scenes/reading/element_choice.hpp"
+#include "io/scenes/reading/gear_memory.hpp"
 #include "io/scenes/reading/keys.hpp"
 
 #include <map>
@@ -17,9 +18,9 @@ namespace netloft::scenes {
 /// all parts of a kind or for single parts.
 class PlanElements {
  public:
-  /// Reads the table `elements`. `plan` and `choice` have to outlive this object.
+  /// Reads the table `elements`. `plan`, `choice` and `memory` have to outlive this object.
   PlanElements(const gears::NetPlan& plan, const gears::Gear& gear, formats::TableReader& elements,
-               const ElementChoice& choice);
+               const ElementChoice& choice, GearMemory& memory);
 
   /// The element type of a kind of parts, such as "netting"; nullptr after an error.
   const ElementType* type_of(std::string_view kind) const { return made(kind).type; }
@@ -45,10 +46,13 @@ class PlanElements {
   Made read_elements(formats::TableReader& elements, const GearElements& of) const;
   void read_exceptions(formats::TableReader& elements, const gears::Gear& gear);
   bool touches_bed(const std::string& name) const;
+  /// Reads the parameters of a part. `said` gives the sources of the scene, and has no messages yet.
+  std::shared_ptr<const PartTableRead> read_table(const PartTable& input, formats::Diagnostics said) const;
   const Made& made(std::string_view kind) const;
 
   const gears::NetPlan& plan_;
   const ElementChoice& choice_;
+  GearMemory& memory_;
   formats::Diagnostics& diagnostics_;
   std::vector<Made> made_;
   std::optional<formats::Value> contact_;  // `[elements.contact]`, a table

@@ -89,8 +89,8 @@ class PartCheck {
 
   void check_stiffness(const KnownParameter& tension, const KnownParameter& compression) {
     const double* EA = find_number(part_.parameters, tension.name);
-    const double* slack = find_number(part_.parameters, compression.name);
-    if (EA && slack && *slack > *EA)
+    const double* slack = EA ? find_number(part_.parameters, compression.name) : nullptr;
+    if (slack && *slack > *EA)
       diagnostics_.error(
           place_,
           fmt::format("{}: {} = {:.6g} N is greater than {} = {:.6g} N: ropes and twines are not "
@@ -100,7 +100,9 @@ class PartCheck {
   }
 
   void check_float() {
-    if (water_.density == 0 || water_.gravity == 0) return;
+    const auto first = part_.parameters.lower_bound("float.");
+    const bool is_float = first != part_.parameters.end() && first->first.starts_with("float.");
+    if (!is_float || water_.density == 0 || water_.gravity == 0) return;
     check_buoyancy_of_float();
     check_density_of_float();
     check_size_of_float();

@@ -65,12 +65,13 @@ void RiderReader::read_undivided(const std::string& name, formats::TableReader& 
 
 void RiderReader::read_contacts() {
   const std::set<std::uint32_t> carried = carried_by_beds();
-  if (const auto all = gear_.contacts(carried); !all.empty() && !out_.scene.bed.is_there)
+  const auto all = gear_.contacts(carried);
+  if (!all.empty() && !out_.scene.bed.is_there)
     return diagnostics_.error(
         all.front().second.place,
         "elements." + std::string(kContact) + ": there is no bed that the gear could touch",
         "add [bed] depth = \"100 m\"");
-  for (const auto& [name, said] : gear_.contacts(carried)) {
+  for (const auto& [name, said] : all) {
     formats::TableReader table(said, diagnostics_, "elements." + std::string(kContact));
     const ElementType* type = elements_.find(read_type_name(draft_, name, table), table);
     if (type && !rests_on_bed(*type))
@@ -110,7 +111,8 @@ void RiderReader::add_companions() {
   if (diagnostics_.errors()) return;
   for (std::size_t p = 0, parts = out_.scene.parts.size(); p < parts; ++p) {
     const ElementType& type = *draft_.types[p];
-    for (const auto* rider : elements_.companions_of(type)) {
+    const auto riders = elements_.companions_of(type);
+    for (const auto* rider : riders) {
       Part companion = make_companion(out_.scene.parts[p], type, *rider);
       // A companion without elements is not added.
       if (companion.nodes.empty() && may_act(*rider, companion.parameters)) continue;
@@ -118,7 +120,7 @@ void RiderReader::add_companions() {
       out_.scene.parts.push_back(std::move(companion));
       out_.parts.push_back({out_.scene.parts[p].name, out_.parts[p].place, {}, {}, {}, {}});
     }
-    keep_own_parameters(out_.scene.parts[p], type);
+    if (!riders.empty()) keep_own_parameters(out_.scene.parts[p], type);
   }
 }
 

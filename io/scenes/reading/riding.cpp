@@ -19,16 +19,21 @@ double twine_length(const std::vector<double>& u, const std::vector<double>& v, 
 
 }  // namespace
 
-double carried_length(const Part& part, const ElementType& type, std::span<const NodeElements::At> at_node) {
-  const auto of = [&](const HostDatum& datum) { return find_data(part.data, datum); };
-  const auto *rest = of(datum::kRestLength), *parallel = of(datum::kParallel), *u = of(datum::kU),
-             *v = of(datum::kV), *bar = of(datum::kBarLength);
+CarriedLength::CarriedLength(const Part& part, const ElementType& type)
+    : rest_(find_data(part.data, datum::kRestLength)),
+      parallel_(find_data(part.data, datum::kParallel)),
+      u_(find_data(part.data, datum::kU)),
+      v_(find_data(part.data, datum::kV)),
+      bar_(find_data(part.data, datum::kBarLength)),
+      nodes_(type.nodes()) {}
+
+double CarriedLength::at(std::span<const NodeElements::At> node) const {
   double carried = 0;
-  for (const auto& [p, e] : at_node) {
-    const double length = rest            ? (*rest)[e] * (parallel ? (*parallel)[e] : 1)
-                          : u && v && bar ? twine_length(*u, *v, (*bar)[e], e)
-                                          : 0;
-    carried += length / static_cast<double>(type.nodes());
+  for (const auto& [p, e] : node) {
+    const double length = rest_              ? (*rest_)[e] * (parallel_ ? (*parallel_)[e] : 1)
+                          : u_ && v_ && bar_ ? twine_length(*u_, *v_, (*bar_)[e], e)
+                                             : 0;
+    carried += length / static_cast<double>(nodes_);
   }
   return carried;
 }
@@ -37,11 +42,11 @@ void ride_on_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<do
                    Part& rider) {
   double total = 0;
   for (const double length : carried) total += length;
+  auto &pieces = rider.data[datum::kPieces.name], &lengths = rider.data[datum::kLength.name];
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     rider.nodes.push_back(nodes[i]);
-    rider.data[datum::kPieces.name].push_back(
-        number * (total > 0 ? carried[i] / total : 1 / static_cast<double>(nodes.size())));
-    rider.data[datum::kLength.name].push_back(carried[i]);
+    pieces.push_back(number * (total > 0 ? carried[i] / total : 1 / static_cast<double>(nodes.size())));
+    lengths.push_back(carried[i]);
   }
 }
 

@@ -8,9 +8,18 @@ namespace netloft::scenes {
 /// elements of other parts: floats along a headline, pressure on a cod-end, contact under a footrope.
 
 /// The length of rope or twine of one part that a node of the scene represents [m]: half of each of its bars,
-/// a third of the twines of each of its triangles; zero at nodes outside the part. `at_node`: the elements of
-/// the part at this node.
-double carried_length(const Part& part, const ElementType& type, std::span<const NodeElements::At> at_node);
+/// a third of the twines of each of its triangles; zero at nodes outside the part.
+class CarriedLength {
+ public:
+  /// `part` must outlive this object.
+  CarriedLength(const Part& part, const ElementType& type);
+  /// `node`: the elements of the part at the node.
+  double at(std::span<const NodeElements::At> node) const;
+
+ private:
+  const std::vector<double>*rest_, *parallel_, *u_, *v_, *bar_;  // data of the elements; nullptr: absent
+  int nodes_;                                                    // nodes of an element
+};
 
 /// Puts one element on each of `nodes`. `carried` is the length of rope or twine that each of them
 /// represents. Data of the elements: `pieces`, the fraction of `number` that belongs to the node, in

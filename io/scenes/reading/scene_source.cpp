@@ -5,9 +5,9 @@
 #include "io/formats/work/long_work.hpp"
 #include "io/gears/catalogue/part_choice.hpp"
 #include "io/gears/meshing/division.hpp"
-#include "io/gears/meshing/recent.hpp"
 #include "io/gears/plan/checked_plan.hpp"
 #include "io/gears/plan/read_plan.hpp"
+#include "io/gears/plan/recent.hpp"
 #include "io/scenes/reading/analysis.hpp"
 #include "io/scenes/reading/catalogue_parts.hpp"
 #include "io/scenes/reading/gear_parts.hpp"
@@ -46,7 +46,7 @@ void refuse_tables_of_plans(formats::TableReader& root) {
 class SceneReader {
  public:
   /// `plan` is nullptr for a scene without a net plan.
-  SceneReader(const formats::Value& root, const gears::NetPlan* plan, gears::Divisions& divisions,
+  SceneReader(const formats::Value& root, const gears::NetPlan* plan, GearMemory& memory,
               const std::filesystem::path& folder, Registry& registry, formats::Diagnostics& diagnostics,
               bool& refused)
       : registry_(registry),
@@ -56,7 +56,7 @@ class SceneReader {
         elements_(registry, refused),
         draft_(diagnostics),
         meshes_(folder, diagnostics),
-        gear_(plan ? std::make_unique<GearParts>(*plan, root_, elements_, draft_, divisions)
+        gear_(plan ? std::make_unique<GearParts>(*plan, root_, elements_, draft_, memory)
                    : std::make_unique<GearSteps>()) {
     for (const char* key : {"catalogue", "accept"}) root_.has(key);  // SceneSource reads these keys
     if (!plan) refuse_tables_of_plans(root_);
@@ -151,11 +151,12 @@ struct PlanRead {
   std::vector<formats::Diagnostic> messages;
 };
 
-/// Reads and checks a plan. `said` gives the sources of the scene, for places in messages, and has no
-/// messages yet.
-std::shared_ptr<const PlanRead> read_and_check(const PlanInput& input, formats::Diagnostics said) {
+/// Reads and checks a plan. `memory` is about its catalogue, `said` gives the sources of the scene, for
+/// places in messages, and has no messages yet.
+std::shared_ptr<const PlanRead> read_and_check(const PlanInput& input, gears::PlanMemory& memory,
+                                               formats::Diagnostics said) {
   auto read = std::make_shared<PlanRead>();
-  read->plan = gears::read_and_check(input.tables, *input.catalogue, input.trials, said);
+  read->plan = gears::read_and_check(input.tables, *input.catalogue, memory, input.trials, said);
   read->messages = said.messages();
   return read;
 }
@@ -185,8 +186,8 @@ class SceneSource::Memory {
     const auto plan =
         read_plan(root, catalogue, registry, gears::HintTrials::of_errors, diagnostics, strengths);
     if (plan && diagnostics.errors()) return {};  // the rest of the scene cannot be checked without the gear
-    LoadedScene loaded = SceneReader(root, plan ? &plan->plan : nullptr, divisions_, file_.parent_path(),
-                                     registry, diagnostics, refused)
+    LoadedScene loaded = SceneReader(root, plan ? &plan->plan : nullptr, gear_, file_.parent_path(), registry,
+                                     diagnostics, refused)
                              .read();
     formats::accept_warnings(root, diagnostics);
     loaded.scene.name = file_.stem().string();
@@ -209,7 +210,7 @@ class SceneSource::Memory {
     if (!plan) return gears::read_plan(root, *catalogue.load(), diagnostics);  // reports the missing plan
     if (diagnostics.errors() == 0) gears::check_seams(plan->plan, diagnostics);
     if (diagnostics.errors() == 0)
-      SceneReader(root, &plan->plan, divisions_, file_.parent_path(), registry, diagnostics, refused).check();
+      SceneReader(root, &plan->plan, gear_, file_.parent_path(), registry, diagnostics, refused).check();
     formats::accept_warnings(root, diagnostics);
     return plan->plan;
   }
@@ -245,7 +246,8 @@ class SceneSource::Memory {
       return std::make_shared<PlanRead>(
           PlanRead{gears::read_plan(input.tables, *input.catalogue, diagnostics), {}});
     const auto read = plans_.of(std::move(input), [&](const PlanInput& one) {
-      return read_and_check(one, diagnostics.without_messages());
+      if (plan_.catalogue != one.catalogue) plan_ = {one.catalogue, {}, {}};
+      return read_and_check(one, plan_, diagnostics.without_messages());
     });
     diagnostics.take_messages(read->messages);
     return read;
@@ -256,7 +258,8 @@ class SceneSource::Memory {
   formats::Diagnostics said_;  // messages about the document when it was loaded
   gears::KeptCatalogue catalogue_;
   gears::Recent<PlanInput, const PlanRead> plans_{4};
-  gears::Divisions divisions_;
+  gears::PlanMemory plan_;
+  GearMemory gear_;
 };
 
 SceneSource::SceneSource(std::filesystem::path file) : memory_(std::make_shared<Memory>(std::move(file))) {}

@@ -10,9 +10,10 @@ namespace netloft::scenes {
 /// A scene file that is read once and instantiated many times, each time with other changes.
 ///
 /// The file and those it includes are read at the first instance. Intermediate results of an instance
-/// (catalogue, net plan, division of the gear, initial shape) are stored with their inputs, and reused if the
-/// inputs are equal. An instance does not depend, in any bit, on the instances before it. Copies share the
-/// stored data. Not safe for several threads.
+/// (catalogue, net plan, division of the gear, initial shape, parameters of parts) are stored with their
+/// inputs, and reused if the inputs are equal. An instance does not depend, in any bit, on the instances
+/// before it. Copies share the stored data. A registry given to instance() has to outlive them. Not safe for
+/// several threads.
 class SceneSource {
  public:
   explicit SceneSource(std::filesystem::path file);

@@ -165,6 +165,9 @@ class RiderMaker {
   /// The length of rope or twine that each node represents [m], in all parts that `on` names.
   std::vector<double> carried() const {
     std::vector<double> lengths;
+    std::map<std::size_t, CarriedLength> of_part;
+    for (const auto& [part, order] : grounds_)
+      of_part.try_emplace(part, draft_.out.scene.parts[part], *draft_.types[part]);
     for (const auto node : nodes_) {
       std::map<std::size_t, std::size_t> parts;  // parts at the node, in the order in which they were named
       for (const auto& at : draft_.node_elements().at(node))
@@ -172,8 +175,7 @@ class RiderMaker {
           parts.emplace(ground->second, at.part);
       double length = 0;
       for (const auto& [order, part] : parts)
-        length += carried_length(draft_.out.scene.parts[part], *draft_.types[part],
-                                 draft_.node_elements().at(node, part));
+        length += of_part.at(part).at(draft_.node_elements().at(node, part));
       lengths.push_back(length);
     }
     return lengths;

@@ -60,7 +60,8 @@ class WrongPlan {
   formats::Diagnostics check(const formats::Value& root, bool with_cures) const {
     formats::Diagnostics said;
     if (with_cures) {
-      const NetPlan plan = read_and_check(root, catalogue_, HintTrials::of_all, said);
+      PlanMemory none;
+      const NetPlan plan = read_and_check(root, catalogue_, none, HintTrials::of_all, said);
       if (said.errors() == 0) check_seams(plan, said);
       return said;
     }

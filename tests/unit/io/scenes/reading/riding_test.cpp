@@ -35,7 +35,7 @@ std::vector<double> carried_by_two_bars(const std::vector<double>& parallel) {
   const NodeElements elements(scene, {&type});
   std::vector<double> carried;
   for (std::uint32_t node = 0; node < 3; ++node)
-    carried.push_back(carried_length(scene.parts[0], type, elements.at(node, 0)));
+    carried.push_back(CarriedLength(scene.parts[0], type).at(elements.at(node, 0)));
   return carried;
 }
 

@@ -110,13 +110,18 @@ TEST(SceneSource, KeepsNoResultWhoseInputHasChanged) {
                                      "bed.depth=67 m",
                                      "panels.top-wing.mesh=0.11",
                                      "panels.top-wing.twine={ EA = 1000, diameter = 0.003, density = 1100 }",
+                                     "panels.top-wing.angle=3",
+                                     "panels.top-wing.no-such-key=1",
+                                     "ropes.footrope.rope={ part = \"6x19-fc-16mm\", EA = \"9 MN\" }",
+                                     "elements.ropes.no-such-key=1",
+                                     "elements.netting.drag=no/law",
                                      "elements.contact.seabed.stiffness=11 kN/m2",
                                      "gear.finer={ headrope = 2 }",
                                      "catalogue=[\"no-such-folder\"]",
                                      "gear.nodes=-1",
                                      "no.such.key=1"};
   for (const std::string& one : all)
-    for (const std::string& other : {all[0], one}) {
+    for (const std::string& other : {one, all[0], one}) {
       const Changes changes = formats::read_changes({"gear.nodes=300", other});
       EXPECT_EQ(instance_of(source, changes), instance_of(SceneSource(file), changes)) << other;
     }

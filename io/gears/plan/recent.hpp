@@ -16,15 +16,15 @@ class Recent {
 
   /// The result for `input`: a stored one, or that of make(input), which returns a shared pointer. If make()
   /// throws, the exception is passed on and nothing is stored.
-  template <class Make>
-  std::shared_ptr<Result> of(Input input, const Make& make) {
+  template <class From = Input, class Make>
+  std::shared_ptr<Result> of(From&& input, const Make& make) {
     const auto same = std::ranges::find(kept_, input, &Kept::first);
     if (same != kept_.end()) {
       kept_.splice(kept_.begin(), kept_, same);
       return same->second;
     }
     std::shared_ptr<Result> result = make(std::as_const(input));
-    kept_.emplace_front(std::move(input), result);
+    kept_.emplace_front(std::forward<From>(input), result);
     if (kept_.size() > most_) kept_.pop_back();
     return result;
   }

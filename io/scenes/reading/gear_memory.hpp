@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/gears/meshing/division.hpp"
+#include "io/scenes/reading/geometry.hpp"
+
+namespace netloft::scenes {
+
+/// All inputs of the parameters of a part of a net plan.
+struct PartTable {
+  const ElementType* type;
+  std::string path;  // name of the part in messages
+  formats::Value table;
+  bool operator==(const PartTable&) const = default;
+};
+
+/// Parameters and laws that were read for a part, and the messages about them.
+struct PartTableRead {
+  Part part;
+  std::vector<formats::Diagnostic> messages;
+  bool is_sound = false;
+};
+
+/// Results of steps that are stored between the instances of a scene with a net plan, with their inputs.
+struct GearMemory {
+  gears::Divisions divisions;
+  /// Parameters of the parts of the plan, by the name of the part.
+  std::map<std::string, gears::Recent<PartTable, const PartTableRead>> parts;
+  /// Geometries of the panels of a division, without positions and places in files.
+  gears::Recent<std::shared_ptr<gears::Division>, const std::vector<Geometry>> panels{2};
+};
+
+}  // namespace netloft::scenes
