@@ -29,13 +29,13 @@ double half_width(double half_girth) {
   return 2 * half_girth / (std::numbers::pi * shape);
 }
 
-/// A path along ropes from a point off the netting to the netting.
-struct Lead {
-  std::uint32_t from, to;
-  double length;  // [m]
-  std::vector<std::pair<std::uint32_t, double>>
-      between;  // nodes from `to` back, with their distances from `from` [m]
-};
+/// For each node, the indices of the ropes that have it.
+std::vector<std::vector<std::size_t>> ropes_at_nodes(const GearMesh& mesh) {
+  std::vector<std::vector<std::size_t>> ropes(mesh.nodes);
+  for (std::size_t r = 0; r < mesh.ropes.size(); ++r)
+    for (const auto node : mesh.ropes[r].nodes) ropes[node].push_back(r);
+  return ropes;
+}
 
 void collect_sketch(const GearPanel& panel, const PanelMesh& mesh, std::vector<KnownCoordinate>& known) {
   for (std::size_t own = 0; own < mesh.nodes.size(); ++own) {
@@ -45,8 +45,8 @@ void collect_sketch(const GearPanel& panel, const PanelMesh& mesh, std::vector<K
   }
 }
 
-/// All known coordinates, each once. If several are given for one node and axis, the priority is: those of
-/// the caller, points of the plan, the plane of symmetry, sketches.
+/// All known coordinates, each once, sorted by node and axis. If several are given for one node and axis, the
+/// priority is: those of the caller, points of the plan, the plane of symmetry, sketches.
 std::vector<KnownCoordinate> collect_known(const Gear& gear, const GearMesh& mesh,
                                            std::vector<KnownCoordinate> known) {
   for (const auto& point : gear.points)
@@ -62,20 +62,71 @@ std::vector<KnownCoordinate> collect_known(const Gear& gear, const GearMesh& mes
     is_known[at(k.node, k.axis)] = true;
     return again;
   });
+  std::ranges::sort(known, {}, [](const auto& k) { return at(k.node, k.axis); });
   return known;
+}
+
+/// Positions of the nodes of the netting on rings (3), and zeros for all other nodes.
+std::vector<double> on_rings(const GearMesh& mesh, const Girth& girth) {
+  std::vector<double> positions(3 * mesh.nodes);
+  for (std::uint32_t node = 0; node < mesh.nodes; ++node) {
+    if (!girth.covers(node)) continue;
+    const double half = girth.half_girth(node), w = half_width(half);
+    const double angle =
+        std::clamp(std::numbers::pi * girth.around(node) / half, 0.0, std::numbers::pi);  // (3)
+    positions[at(node, 0)] = girth.aft(node);
+    positions[at(node, 1)] = girth.side(node) * w * std::sin(angle);
+    positions[at(node, 2)] = girth.is_closed(node) ? 0 : kAspect * w * std::cos(angle);
+  }
+  return positions;
+}
+
+void append_leads(std::uint32_t from, const Neighbours& neighbours, const Girth& girth,
+                  std::vector<Lead>& leads) {
+  std::unordered_map<std::uint32_t, double> best;
+  std::unordered_map<std::uint32_t, std::uint32_t> before;
+  using Reached = std::pair<double, std::uint32_t>;
+  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
+  best[from] = 0;
+  for (queue.push({0, from}); !queue.empty();) {
+    const auto [length, node] = queue.top();
+    queue.pop();
+    if (length > best[node]) continue;
+    if (girth.covers(node)) {
+      leads.push_back({from, node, length, {}});
+      for (auto k = before[node]; k != from; k = before[k]) leads.back().between.push_back({k, best[k]});
+      continue;  // paths end at the netting
+    }
+    for (const auto& [next, step] : neighbours[node])
+      if (const auto known = best.find(next); known == best.end() || length + step < known->second) {
+        before[next] = node;
+        queue.push({best[next] = length + step, next});
+      }
+  }
+}
+
+/// Finds the shortest paths along ropes from nodes beside the netting to the netting (Dijkstra 1959).
+std::vector<Lead> find_leads(const std::vector<std::uint32_t>& nodes, const GearMesh& mesh,
+                             const Girth& girth) {
+  const auto neighbours = rope_neighbours(mesh);
+  std::vector<Lead> leads;
+  for (const auto node : nodes) append_leads(node, neighbours, girth, leads);
+  return leads;
 }
 
 /// Makes one shape; the member functions are steps in the order of execution.
 class Shaper {
  public:
   Shaper(const Gear& gear, const GearMesh& mesh, const Girth& girth, HarmonicFields& fields,
-         const std::vector<KnownCoordinate>& known)
+         StoredRopes& ropes, std::vector<double> rings, const std::vector<KnownCoordinate>& known)
       : mesh_(mesh),
         girth_(girth),
         fields_(fields),
+        ropes_(ropes),
         known_(known),
-        positions_(3 * mesh.nodes, 0.0),
+        positions_(std::move(rings)),
         placed_(mesh.nodes, false) {
+    for (std::uint32_t node = 0; node < mesh.nodes; ++node) placed_[node] = girth.covers(node);
     for (const auto& k : known) known_at_.emplace(at(k.node, k.axis), k.value);
     for (const auto& point : gear.points)
       if (const auto node = mesh.points.find(point.name);
@@ -85,7 +136,9 @@ class Shaper {
 
   std::vector<double> make() {
     formats::report({"placing", "the gear", mesh_.nodes, "nodes"});
-    put_on_rings();
+    leads_ = ropes_.leads.of(points_of_leads(), [&](const auto& nodes) {
+      return std::make_shared<const std::vector<Lead>>(find_leads(nodes, mesh_, girth_));
+    });
     stand_as_a_whole();
     put_ropes();
     follow_known();
@@ -95,19 +148,6 @@ class Shaper {
 
  private:
   double& x(std::uint32_t node, int axis) { return positions_[at(node, axis)]; }
-
-  void put_on_rings() {
-    for (std::uint32_t node = 0; node < mesh_.nodes; ++node) {
-      if (!girth_.covers(node)) continue;
-      const double half = girth_.half_girth(node), w = half_width(half);
-      const double angle =
-          std::clamp(std::numbers::pi * girth_.around(node) / half, 0.0, std::numbers::pi);  // (3)
-      x(node, 0) = girth_.aft(node);
-      x(node, 1) = girth_.side(node) * w * std::sin(angle);
-      x(node, 2) = girth_.is_closed(node) ? 0 : kAspect * w * std::cos(angle);
-      placed_[node] = true;
-    }
-  }
 
   /// Shifts the whole netting aft and vertically, to the known coordinates of its nodes. If its nodes have
   /// none, the shift makes ropes from known points reach the netting, and its lowest point as deep as the
@@ -140,7 +180,7 @@ class Shaper {
   /// The shift aft [m] at which the ropes from known points to the netting are straight on average.
   double shift_by_leads() {
     double sum = 0, count = 0;
-    for (const Lead& lead : find_leads()) {
+    for (const Lead& lead : *leads_) {
       const double aside = known_at(lead.to, 1).value_or(x(lead.to, 1)) - *known_at(lead.from, 1);
       const double along =
           std::sqrt(std::max(lead.length * lead.length - aside * aside, 0.25 * lead.length * lead.length));
@@ -159,53 +199,26 @@ class Shaper {
     return std::isfinite(known) && std::isfinite(lowest) ? known - lowest : 0;
   }
 
-  /// Finds the shortest paths along ropes from known points to the netting (Dijkstra 1959).
-  std::vector<Lead> find_leads() const {
-    const auto neighbours = rope_neighbours(mesh_);
-    std::vector<Lead> leads;
+  /// The known points beside the netting from which ropes may lead to it.
+  std::vector<std::uint32_t> points_of_leads() const {
+    std::vector<std::uint32_t> nodes;
     for (const auto& k : known_)
-      if (k.axis == 0 && !placed_[k.node] && known_at(k.node, 1)) append_leads(k.node, neighbours, leads);
-    return leads;
-  }
-
-  void append_leads(std::uint32_t from, const Neighbours& neighbours, std::vector<Lead>& leads) const {
-    std::unordered_map<std::uint32_t, double> best;
-    std::unordered_map<std::uint32_t, std::uint32_t> before;
-    using Reached = std::pair<double, std::uint32_t>;
-    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
-    best[from] = 0;
-    for (queue.push({0, from}); !queue.empty();) {
-      const auto [length, node] = queue.top();
-      queue.pop();
-      if (length > best[node]) continue;
-      if (placed_[node]) {
-        leads.push_back({from, node, length, {}});
-        for (auto k = before[node]; k != from; k = before[k]) leads.back().between.push_back({k, best[k]});
-        continue;  // paths end at the netting
-      }
-      for (const auto& [next, step] : neighbours[node])
-        if (const auto known = best.find(next); known == best.end() || length + step < known->second) {
-          before[next] = node;
-          queue.push({best[next] = length + step, next});
-        }
-    }
+      if (k.axis == 0 && !placed_[k.node] && known_at(k.node, 1)) nodes.push_back(k.node);
+    return nodes;
   }
 
   /// Places ropes beside the netting: straight between two placed nodes, or straight forward from one.
   void put_ropes() {
-    const auto leads = find_leads();
     for (const auto& k : known_) complete(k.node);
-    put_on_leads(leads);
+    put_on_leads();
     put_stretches();
   }
 
   /// Places stretches of ropes one by one: the first one between two placed nodes or, if there is none, the
   /// first one with one placed node. A rope is tried again only after one of its nodes has been placed.
   void put_stretches() {
-    std::unordered_map<std::uint32_t, std::vector<std::size_t>> ropes_at;
     std::set<std::size_t> between, from_one;  // ropes that may have such a stretch
     for (std::size_t r = 0; r < mesh_.ropes.size(); ++r) {
-      for (const auto node : mesh_.ropes[r].nodes) ropes_at[node].push_back(r);
       between.insert(r);
       from_one.insert(r);
     }
@@ -215,7 +228,7 @@ class Shaper {
       fresh_.clear();
       if (!put_stretch(mesh_.ropes[*candidates.begin()], is_between)) candidates.erase(candidates.begin());
       for (const auto node : fresh_)
-        for (const auto rope : ropes_at[node]) {
+        for (const auto rope : ropes_.at_nodes[node]) {
           between.insert(rope);
           from_one.insert(rope);
         }
@@ -223,8 +236,8 @@ class Shaper {
   }
 
   /// Places the ropes on each path from a board to the netting along a straight line.
-  void put_on_leads(const std::vector<Lead>& leads) {
-    for (const Lead& lead : leads) {
+  void put_on_leads() {
+    for (const Lead& lead : *leads_) {
       if (!is_of_body(lead.from) || !placed_[lead.from]) continue;
       for (const auto& [node, distance] : lead.between) {
         if (placed_[node]) continue;
@@ -319,22 +332,30 @@ class Shaper {
   const GearMesh& mesh_;
   const Girth& girth_;
   HarmonicFields& fields_;
+  StoredRopes& ropes_;
   const std::vector<KnownCoordinate>& known_;
   std::unordered_map<std::size_t, double> known_at_;  // known coordinates, by at(node, axis)
   std::set<std::uint32_t> of_bodies_;                 // the nodes at points of bodies
   std::vector<double> positions_;
   std::vector<bool> placed_;
+  std::shared_ptr<const std::vector<Lead>> leads_;
   std::vector<std::uint32_t> fresh_;  // the nodes that put_stretch() has placed
 };
 
 }  // namespace
 
 StartShapes::StartShapes(const Gear& gear, const GearMesh& mesh)
-    : gear_(gear), mesh_(mesh), girth_(gear, mesh), fields_(mesh) {}
+    : gear_(gear),
+      mesh_(mesh),
+      girth_(gear, mesh),
+      fields_(mesh),
+      ropes_{ropes_at_nodes(mesh)},
+      rings_(on_rings(mesh, girth_)) {}
 
 std::vector<double> StartShapes::with(const Gear& placed, const std::vector<KnownCoordinate>& known) {
   return *shapes_.of(collect_known(placed, mesh_, known), [&](const std::vector<KnownCoordinate>& all) {
-    return std::make_shared<const std::vector<double>>(Shaper(gear_, mesh_, girth_, fields_, all).make());
+    return std::make_shared<const std::vector<double>>(
+        Shaper(gear_, mesh_, girth_, fields_, ropes_, rings_, all).make());
   });
 }
 

@@ -20,6 +20,20 @@ struct KnownCoordinate {
   }
 };
 
+/// A path along ropes from a point off the netting to the netting.
+struct Lead {
+  std::uint32_t from, to;
+  double length;  // [m]
+  std::vector<std::pair<std::uint32_t, double>>
+      between;  // nodes from `to` back, with their distances from `from` [m]
+};
+
+/// Data of ropes that are the same in all shapes, and the last few sets of paths, by their first nodes.
+struct StoredRopes {
+  std::vector<std::vector<std::size_t>> at_nodes;  // for each node, the indices of the ropes that have it
+  Recent<std::vector<std::uint32_t>, const std::vector<Lead>> leads{4};
+};
+
 /// Makes initial positions of the nodes of a divided gear, 3 per node [m]: x aft, y to starboard, z up. The
 /// shape need not be accurate, but must be free of kinks and folds, on the correct side, and about as large
 /// as the gear.
@@ -55,6 +69,8 @@ class StartShapes {
   const GearMesh& mesh_;
   Girth girth_;
   HarmonicFields fields_;
+  StoredRopes ropes_;
+  const std::vector<double> rings_;  // positions of the netting before it is shifted, 3 per node [m]
   Recent<std::vector<KnownCoordinate>, const std::vector<double>> shapes_{4};
 };
 
