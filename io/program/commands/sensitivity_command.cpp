@@ -44,6 +44,16 @@ int end_without_equilibrium(const SensitivityOptions& o, Terminal& terminal, con
   return solution.status == SolveStatus::interrupted ? kInterrupted : kNotConverged;
 }
 
+Solution solve(runs::PreparedScene& scene, Terminal& terminal, Watchdog& watchdog) {
+  const double tolerance = scene.loaded().analysis.limits.tolerance;
+  Solution solution = runs::find_equilibrium(
+      scene, {.interrupt = &interrupt_flag(),
+              .on_iteration = [&](const IterationRecord& r) { terminal.progress(r, tolerance); },
+              .on_budget = [&](double seconds) { watchdog.allow(seconds); }});
+  watchdog.allow(std::numeric_limits<double>::infinity());  // the time limit of the scene is for its solve
+  return solution;
+}
+
 int run_sensitivity(const SensitivityOptions& o) {
   if (!o.output.empty() && !o.output.ends_with(".svg"))
     throw UsageError{"-o " + o.output + ": the bars can be written as .svg only"};
@@ -57,28 +67,19 @@ int run_sensitivity(const SensitivityOptions& o) {
   catch_interrupts();
   Terminal& terminal = session.terminal();
   Watchdog watchdog(terminal, ending_with_a_sentence(terminal, "there are no derivatives yet"));
-  const double tolerance = scene.loaded().analysis.limits.tolerance;
-  const Solution solution = runs::find_equilibrium(
-      scene, {.interrupt = &interrupt_flag(),
-              .on_iteration = [&](const IterationRecord& r) { terminal.progress(r, tolerance); },
-              .on_budget = [&](double seconds) { watchdog.allow(seconds); }});
+  const Solution solution = solve(scene, terminal, watchdog);
   if (solution.status != SolveStatus::converged) return end_without_equilibrium(o, terminal, solution);
   const results::Result result = results::make_result(scene.loaded(), scene.assembler(), solution);
   const auto figures = studies::chosen_figures(result, o.of);
-  watchdog.allow(std::numeric_limits<double>::infinity());  // the limit of the scene was for its solve
-  const studies::Sensitivities found =
-      studies::find_sensitivities(scene, solution,
-                                  {.figures = studies::all_figures(result),
-                                   .numbers = numbers,
-                                   .with_long_step = o.check,
-                                   .interrupt = &interrupt_flag(),
-                                   .on_number = [&](std::size_t done, const std::string& path) {
-                                     terminal.progress_in_steps("numbers", done, numbers.size(), path);
-                                   }});
+  const auto show = [&](std::size_t done, const std::string& path) {
+    terminal.progress_in_steps("numbers", done, numbers.size(), path);
+  };
+  const studies::Sensitivities found = studies::find_sensitivities(
+      scene, solution, {studies::all_figures(result), numbers, o.check, &interrupt_flag(), show});
   terminal.clear();
   print(o.json ? studies::sensitivity_json(found, figures, name_of(solution.status)) + "\n"
-               : fmt::format("{}: {}, {} equilibrium; {} numbers\n", result.title, result.outcome,
-                             result.stability, found.effects.size()) +
+               : fmt::format("{}: {}, {} equilibrium; numbers that were examined: {}\n", result.title,
+                             result.outcome, result.stability, found.effects.size()) +
                      studies::sensitivity_text(found, figures));
   if (found.is_interrupted)
     return end_interrupted(
