@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/formats/files/whole_file.hpp"
-#include "io/program/commands/studies.hpp"
+#include "io/program/commands/study_shared.hpp"
 #include "io/program/session/memory_room.hpp"
 #include "io/program/session/print.hpp"
 #include "io/program/session/replaced_file.hpp"
@@ -54,6 +53,24 @@ Solution solve(runs::PreparedScene& scene, Terminal& terminal, Watchdog& watchdo
   return solution;
 }
 
+/// Prints the effects and draws them.
+int end_with(const SensitivityOptions& o, Terminal& terminal, const results::Result& result,
+             const studies::Sensitivities& found, std::size_t numbers) {
+  const auto figures = studies::chosen_figures(result, o.of);
+  const std::string status = found.is_interrupted ? "interrupted" : result.outcome;
+  print(o.json ? studies::sensitivity_json(found, figures, status) + "\n"
+               : fmt::format("{}: {}, {} equilibrium; numbers that were examined: {}\n", result.title,
+                             result.outcome, result.stability, found.effects.size()) +
+                     studies::sensitivity_text(found, figures));
+  if (found.is_interrupted)
+    return end_interrupted(terminal,
+                           fmt::format("{} of {} numbers were examined{}", found.effects.size(), numbers,
+                                       o.output.empty() ? "" : ", and " + o.output + " is not written"));
+  return write_last(terminal, kDone, [&] {
+    if (!o.output.empty()) write_bars(o.output, studies::sensitivity_bars(found, figures), "--of");
+  });
+}
+
 int run_sensitivity(const SensitivityOptions& o) {
   if (!o.output.empty() && !o.output.ends_with(".svg"))
     throw UsageError{"-o " + o.output + ": the bars can be written as .svg only"};
@@ -70,24 +87,14 @@ int run_sensitivity(const SensitivityOptions& o) {
   const Solution solution = solve(scene, terminal, watchdog);
   if (solution.status != SolveStatus::converged) return end_without_equilibrium(o, terminal, solution);
   const results::Result result = results::make_result(scene.loaded(), scene.assembler(), solution);
-  const auto figures = studies::chosen_figures(result, o.of);
+  studies::chosen_figures(result, o.of);  // refuses unknown names before the work begins
   const auto show = [&](std::size_t done, const std::string& path) {
     terminal.progress_in_steps("numbers", done, numbers.size(), path);
   };
   const studies::Sensitivities found = studies::find_sensitivities(
       scene, solution, {studies::all_figures(result), numbers, o.check, &interrupt_flag(), show});
   terminal.clear();
-  print(o.json ? studies::sensitivity_json(found, figures, name_of(solution.status)) + "\n"
-               : fmt::format("{}: {}, {} equilibrium; numbers that were examined: {}\n", result.title,
-                             result.outcome, result.stability, found.effects.size()) +
-                     studies::sensitivity_text(found, figures));
-  if (found.is_interrupted)
-    return end_interrupted(
-        terminal, fmt::format("{} of {} numbers were examined", found.effects.size(), numbers.size()));
-  return write_last(terminal, kDone, [&] {
-    if (!o.output.empty())
-      formats::write_keeping(o.output, formats::draw_svg(studies::sensitivity_bars(found, figures)));
-  });
+  return end_with(o, terminal, result, found, numbers.size());
 }
 
 }  // namespace

@@ -29,19 +29,6 @@ studies::PlotRequest read_request(const StudyShowOptions& o) {
   return request;
 }
 
-/// Most groups of bars that fit on a printed page.
-constexpr std::size_t kMostBarGroups = 12;
-
-void write_bars(const StudySobolOptions& o, const studies::StudyIndices& found) {
-  const formats::BarChart bars = studies::indices_bars(found);
-  if (bars.groups.empty()) throw UsageError{"-o " + o.output + ": there is nothing to draw"};
-  if (bars.groups.size() > kMostBarGroups)
-    throw UsageError{
-        fmt::format("-o {}: {} figures do not fit on one picture, {} do; name them with --figure", o.output,
-                    bars.groups.size(), kMostBarGroups)};
-  formats::write_keeping(o.output, formats::draw_svg(bars));
-}
-
 }  // namespace
 
 int study_show_command(const StudyShowOptions& o) {
@@ -99,7 +86,7 @@ int study_sobol_command(const StudySobolOptions& o) {
     throw UsageError{e.what()};
   }
   if (!found) return report_unready(diagnostics, runs::PreparedScene::State::wrong_input, terminal);
-  if (!o.output.empty()) write_bars(o, *found);
+  if (!o.output.empty()) write_bars(o.output, studies::indices_bars(*found), "--figure");
   if (const std::string changed = what_changed(study, o.folder); !changed.empty())
     terminal.say("netloft: " + changed + "; the indices are those of the study as it was planned");
   print_line(o.json ? studies::indices_json(study.name, *found) : studies::indices_text(study.name, *found));

@@ -34,4 +34,13 @@ std::string count_of(std::size_t n, const char* what) {
   return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
+void write_bars(const std::string& file, const formats::BarChart& bars, const char* flag) {
+  constexpr std::size_t kMostGroups = 12;  // groups of bars that fit on a printed page
+  if (bars.groups.empty()) throw UsageError{"-o " + file + ": there is nothing to draw"};
+  if (bars.groups.size() > kMostGroups)
+    throw UsageError{fmt::format("-o {}: {} figures do not fit on one picture, {} do; name them with {}",
+                                 file, bars.groups.size(), kMostGroups, flag)};
+  formats::write_keeping(file, formats::draw_svg(bars));
+}
+
 }  // namespace netloft::program

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Functions that the actions of `study` share.
+// Functions that commands about many values of a scene share.
 #pragma once
+#include "io/formats/svg/bar_chart.hpp"
 #include "io/program/commands/studies.hpp"
 #include "io/studies/sweep/study.hpp"
 
@@ -20,6 +21,10 @@ std::string what_changed(const studies::Study& study, const std::filesystem::pat
 
 /// Prints an answer as text or, with --json, as an object.
 void print_answer(const CommonOptions& options, const nlohmann::ordered_json& json, const std::string& text);
+
+/// Writes bars as SVG. Throws UsageError if there is nothing to draw, or more than fits on a page; `flag` is
+/// the option that chooses the groups.
+void write_bars(const std::string& file, const formats::BarChart& bars, const char* flag);
 
 /// Number and noun: "1 item", "2 items".
 std::string count_of(std::size_t n, const char* what);

@@ -16,8 +16,10 @@ namespace netloft::studies {
 
 namespace {
 
-/// Step h of (2) in sensitivity.hpp, as a fraction of the number. The error of (2) is of the order h²; that
-/// of its differences is the rounding error of a double, relative to h.
+/// Step h of (2) in sensitivity.hpp, as a fraction of the number. Measured on two trawls with 300 nodes:
+/// derivatives by steps of 1e-6 and 1e-7 differ by 2e-4 of the largest effect on a figure at most, those by
+/// 1e-7 and 1e-8 by 2e-3, for rounding. With 1e-5, stiff ropes between the positions of the equilibrium
+/// become slack on one side.
 constexpr double kShortStep = 1e-6;
 /// The long step as a multiple of h.
 constexpr double kLongStep = 1000;

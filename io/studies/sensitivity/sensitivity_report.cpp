@@ -64,6 +64,9 @@ std::string table_of(const Sensitivities& found, std::size_t f) {
         fmt::format("{:+.3g} {}", effect.per_unit[f], unit_of_ratio(figure.unit, effect.number.unit)),
         depends_on_step(found, effect, f) ? "   depends on the step" : "");
   }
+  for (const NumberEffect& effect : found.effects)
+    if (effect.why_not.empty() && !std::isfinite(effect.per_unit[f]))
+      text += "  " + effect.number.path + ": the figure is not defined a little beside this number\n";
   return text;
 }
 

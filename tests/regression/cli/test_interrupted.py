@@ -85,6 +85,14 @@ class Interrupted(InFreshFolder):
         self.assertEqual([p["why_not"] for p in points], [None] * len(points))
         self.assertIn("of 9 depths, and kept.svg is not written", err)
 
+    def test_sensitivities_show_the_numbers_that_were_examined(self):
+        out, err = self.interrupted("sensitivity", AT_SEA, "--set", "gear.nodes=2000", "-o", "kept.svg", "--json",
+                                    is_due=lambda line: b"numbers" in line)
+        report = json.loads(out)
+        self.assertEqual(report["status"], "interrupted")
+        self.assertGreaterEqual(len(report["numbers"]), 1)
+        self.assertIn("numbers were examined, and kept.svg is not written", err)
+
     def test_a_suite_shows_the_cases_that_were_solved(self):
         out, err = self.interrupted("hard_cases", str(SOURCE / "tests/stability"), "--solver", "newton", "--size", "small", "-o", "kept.html",
                                     is_due=lambda line: line.strip())
