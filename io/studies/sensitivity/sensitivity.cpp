@@ -2,6 +2,7 @@
 #include "io/studies/sensitivity/sensitivity.hpp"
 
 #include "framework/parameters/nearest.hpp"
+#include "io/formats/work/long_work.hpp"
 #include "io/results/figures/key_figures.hpp"
 #include "io/results/figures/make_result.hpp"
 #include "io/runs/tangent.hpp"
@@ -151,13 +152,14 @@ Sensitivities find_sensitivities(runs::PreparedScene& scene, const Solution& sol
                                  const SensitivityRequest& request) {
   Sensitivity at(scene, solution, request);
   Sensitivities found{request.figures, {}};
-  for (const SceneNumber& number : request.numbers) {
-    if (request.interrupt && request.interrupt->load()) {
-      found.is_interrupted = true;
-      break;
+  try {
+    for (const SceneNumber& number : request.numbers) {
+      if (request.interrupt && request.interrupt->load()) throw formats::Interrupted{};
+      found.effects.push_back(at.effect_of(number));
+      if (request.on_number) request.on_number(found.effects.size(), number.path);
     }
-    found.effects.push_back(at.effect_of(number));
-    if (request.on_number) request.on_number(found.effects.size(), number.path);
+  } catch (const formats::Interrupted&) {  // while a scene was being read, or between two numbers
+    found.is_interrupted = true;
   }
   return found;
 }
