@@ -191,7 +191,7 @@ def commands_on_inputs(ground):
             "parts.toml": 'catalogue = ["FILE"]\n' + (ground.work / "scene.toml").read_text(),
             "of.toml": STUDY.replace("scene.toml", "FILE"), "cal.toml": CALIBRATION}
     direct = (["run", "FILE"], ["run", "scene.toml", "--start-from", "FILE"], ["plan", "FILE"], ["refine", "FILE"], ["compare", "FILE", "--solver", "newton"],
-              ["scope", "FILE", "--depth", "20:40"], ["check", "FILE"], ["draw", "FILE", "-o", "o.svg"], ["calibrate", "FILE"], ["report", "FILE"],
+              ["scope", "FILE", "--depth", "20:40"], ["sensitivity", "FILE"], ["check", "FILE"], ["draw", "FILE", "-o", "o.svg"], ["calibrate", "FILE"], ["report", "FILE"],
               ["view", "FILE", "-o", "o.html"], ["diff", "FILE", "good.hdf"], ["diff", "good.hdf", "FILE"], ["export", "FILE", "o.csv"],
               ["import", "table", "FILE"], ["import", "moordyn", "FILE"], ["import", "femnet", "FILE"],
               ["import", "femnet", str(ground.source / "tests/validation/femnet_files/01_two_bars.don"), "--mesh", "FILE"], ["import", "--check", "FILE"],
