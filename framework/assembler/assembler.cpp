@@ -62,18 +62,6 @@ Scene with_global_nodes(const Scene& scene, std::span<const std::unique_ptr<Elem
 
 }  // namespace
 
-/// The families of a scene (all elements of one type each), with all nodes that they use and the blocks of
-/// matrix values.
-struct Assembler::Elements {
-  Elements(const Scene& scene, const ScenePlan& plan)
-      : families(make_families(scene, plan)),
-        nodes(with_global_nodes(scene, families)),
-        blocks(make_blocks(families, nodes, plan.symmetric)) {}
-  std::vector<std::unique_ptr<ElementFamily>> families;
-  Scene nodes;
-  NodeBlocks blocks;
-};
-
 /// The objects that carry out the steps of an evaluation.
 struct Assembler::Parts {
   Parts(const Scene& scene, const ScenePlan& plan, int threads, ElementTiles made, std::size_t dofs,
@@ -88,16 +76,37 @@ struct Assembler::Parts {
   ElementReports reports;
 };
 
-Assembler::Assembler(const Scene& scene, const ScenePlan& plan, int threads)
-    : Assembler(scene, plan, threads, Elements(scene, plan)) {}
+/// The families of a scene (all elements of one type each), with all nodes that they use and the layout of
+/// matrix values. `tiles_like`: tiles of other families with the same layout, or nullptr.
+struct Assembler::Elements {
+  Elements(const Scene& scene, const ScenePlan& plan, const Assembler* like)
+      : families(make_families(scene, plan)), nodes(with_global_nodes(scene, families)) {
+    if (like && is_layout_of(*like->layout_, like->families_, families, nodes, plan.symmetric)) {
+      layout = like->layout_;
+      tiles_like = &like->parts_->tiles;
+    } else {
+      layout = make_layout(families, nodes, plan.symmetric);
+    }
+  }
+  ElementTiles make_tiles(Families own, const Numbering& numbering) const {
+    return tiles_like ? tiles_of(own, *tiles_like)
+                      : make_element_tiles(own, nodes, numbering, layout->blocks, layout->pattern);
+  }
+  std::vector<std::unique_ptr<ElementFamily>> families;
+  Scene nodes;
+  std::shared_ptr<const Layout> layout;
+  const ElementTiles* tiles_like = nullptr;
+};
+
+Assembler::Assembler(const Scene& scene, const ScenePlan& plan, int threads, const Assembler* like)
+    : Assembler(scene, plan, threads, Elements(scene, plan, like)) {}
 
 Assembler::Assembler(const Scene& scene, const ScenePlan& plan, int threads, Elements made)
-    : Placement(scene, made.nodes, made.blocks, plan.symmetric),
+    : Placement(scene, made.nodes, made.layout->blocks, plan.symmetric),
       families_(std::move(made.families)),
-      pattern_(make_pattern(made.blocks, numbering_, plan.symmetric)),
-      parts_(std::make_unique<Parts>(
-          scene, plan, threads, make_element_tiles(families_, made.nodes, numbering_, made.blocks, pattern_),
-          numbering_.dofs(), bodies_, frames_)) {
+      layout_(made.layout),
+      parts_(std::make_unique<Parts>(scene, plan, threads, made.make_tiles(families_, numbering_),
+                                     numbering_.dofs(), bodies_, frames_)) {
   remember(start());
 }
 

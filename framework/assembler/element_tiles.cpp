@@ -35,4 +35,17 @@ ElementTiles make_element_tiles(std::span<const std::unique_ptr<ElementFamily>> 
   return all;
 }
 
+ElementTiles tiles_of(std::span<const std::unique_ptr<ElementFamily>> families, const ElementTiles& like) {
+  ElementTiles all{families,   find_family_groups(families), like.group_at, like.count, like.symmetric,
+                   like.values};
+  for (std::size_t g = 0; g < all.groups.size(); ++g) {
+    FamilyGroup& group = all.groups[g];
+    group.tiling = like.groups[g].tiling;
+    group.tiling.family = families[group.families.front()].get();
+    group.first_tile = like.groups[g].first_tile;
+    group.carried_tiles = like.groups[g].carried_tiles;
+  }
+  return all;
+}
+
 }  // namespace netloft

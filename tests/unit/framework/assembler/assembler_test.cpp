@@ -286,5 +286,24 @@ TEST(Assembler, GivesTheSameBitsForOneTwoAndThreeThreads) {
   EXPECT_EQ(one.energy, one.energy_alone);
 }
 
+/// Two scenes of other stiffness have the same layout; with one more held node it is another one.
+TEST(Assembler, TakesOverTheLayoutOfTheSameConnections) {
+  const Sketch sketch = net_with_ropes();
+  Scene stiffer = sketch.scene, shorter = sketch.scene;
+  stiffer.positions[0] += 0.5;
+  shorter.held[5] = kAllAxes;
+  Assembled first(sketch.scene), alone(stiffer);
+  const ScenePlan plan = make_scene_plan(stiffer, plugins()),
+                  of_shorter = make_scene_plan(shorter, plugins());
+  Assembler alike(stiffer, plan, 1, &first.assembler), other(shorter, of_shorter, 1, &first.assembler);
+  EXPECT_EQ(&alike.pattern(), &first.assembler.pattern());
+  EXPECT_NE(&other.pattern(), &first.assembler.pattern());
+  EXPECT_EQ(other.pattern(), Assembler(shorter, of_shorter, 1).pattern());
+  const auto x = alone.moved(0.2);
+  std::vector<double> residual(x.size());
+  ASSERT_TRUE(alike.evaluate(x, {.residual = residual.data()}));
+  EXPECT_EQ(residual, alone.residual(x));
+}
+
 }  // namespace
 }  // namespace netloft::test

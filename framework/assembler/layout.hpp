@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/pattern.hpp"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace netloft {
+
+/// The arrangement of the matrix values of an assembler. It follows from connections alone: the nodes of all
+/// elements, the held coordinates, and the nodes of bodies. Assemblers with equal connections share it.
+struct Layout {
+  std::vector<std::uint8_t> held;
+  std::vector<bool> carried;
+  std::vector<std::vector<std::uint32_t>> bodies;  // origin, rotation node and points of each body
+  NodeBlocks blocks;
+  SparsePattern pattern;
+};
+
+using Families = std::span<const std::unique_ptr<ElementFamily>>;
+
+/// `nodes`: all nodes, with those of rotations and shared unknowns.
+std::shared_ptr<const Layout> make_layout(Families families, const Scene& nodes, bool symmetric);
+
+/// Whether `layout`, which was made for `others`, is also that of `families` and their nodes.
+bool is_layout_of(const Layout& layout, Families others, Families families, const Scene& nodes,
+                  bool symmetric);
+
+}  // namespace netloft
