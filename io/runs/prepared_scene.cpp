@@ -46,21 +46,28 @@ PreparedScene::State PreparedScene::prepare(const std::function<void(scenes::Loa
   return assemble();
 }
 
-PreparedScene::State PreparedScene::read() {
+PreparedScene::State PreparedScene::prepare_like(const PreparedScene& other) {
+  if (const State state = read(&other); state != State::ready) return state;
+  return assemble(&other);
+}
+
+PreparedScene::State PreparedScene::read(const PreparedScene* like) {
   Timed timed(seconds_.reading);
   bool refused = false;
-  loaded_ = source_.scene.instance(source_.changes, registry_, diagnostics_, refused);
+  loaded_ = source_.scene.instance(source_.changes, registry_, diagnostics_, refused,
+                                   like && like->loaded_.gear ? like->loaded_.gear->division : nullptr);
   if (!diagnostics_.errors()) return State::ready;
   return refused ? State::refused : State::wrong_input;
 }
 
-PreparedScene::State PreparedScene::assemble() {
+PreparedScene::State PreparedScene::assemble(const PreparedScene* like) {
   Timed timed(seconds_.setup);
   try {
     plan_terms();
     warn_of_idle_choices(loaded_, plan_, diagnostics_);
     plan_.not_loaded = unused();
-    assembler_ = std::make_unique<Assembler>(loaded_.scene, plan_, source_.threads);
+    assembler_ = std::make_unique<Assembler>(loaded_.scene, plan_, source_.threads,
+                                             like ? like->assembler_.get() : nullptr);
     meshes_ = std::make_unique<Meshes>(source_, loaded_, registry_);
     if (moves(loaded_.analysis)) require_inertia(loaded_, plan_, registry_, *assembler_);
   } catch (const SceneError& error) {

@@ -49,6 +49,9 @@ class PreparedScene {
   /// start or its water. If the state is not `ready`, diagnostics() has the reasons. Throws
   /// formats::Interrupted if the user interrupts.
   State prepare(const std::function<void(scenes::LoadedScene&)>& change = {});
+  /// Prepares the scene with the mesh topology of another instance of it: the mesh is a smooth function of
+  /// the numbers of the net plan (SceneSource::instance()), and the assemblers share what they can.
+  State prepare_like(const PreparedScene& other);
   const formats::Diagnostics& diagnostics() const { return diagnostics_; }
 
   scenes::LoadedScene& loaded() { return loaded_; }
@@ -71,8 +74,8 @@ class PreparedScene {
   void adopt(const Solution& solution);
 
  private:
-  State read();
-  State assemble();
+  State read(const PreparedScene* like = nullptr);
+  State assemble(const PreparedScene* like = nullptr);
   void plan_terms();
   std::vector<std::string> unused() const;
   void set_length_in_bill(const Setting& setting);

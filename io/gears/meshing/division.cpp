@@ -102,7 +102,7 @@ void check_seams(const NetPlan& plan, formats::Diagnostics& diagnostics) {
 
 bool DivisionInput::operator==(const DivisionInput& other) const {
   const NetPlan &a = geometry, &b = other.geometry;
-  return extent == other.extent && fineness == other.fineness && a.panels == b.panels &&
+  return extent == other.extent && fineness == other.fineness && like == other.like && a.panels == b.panels &&
          std::ranges::equal(a.ropes, b.ropes, is_same) && a.hangings == b.hangings && a.joins == b.joins &&
          a.points == b.points && a.bodies == b.bodies;
 }
@@ -110,12 +110,17 @@ bool DivisionInput::operator==(const DivisionInput& other) const {
 Division::Division(DivisionInput input)
     : input_(std::move(input)),
       gear_(make_gear(input_.geometry, input_.extent)),
-      mesh_(divide(gear_, input_.fineness)),
-      shapes_(gear_, mesh_) {}
+      mesh_(input_.like ? divide_alike(gear_, input_.fineness, *input_.like->mesh().topology)
+                        : divide(gear_, input_.fineness)) {
+  if (!input_.like) shapes_.emplace(gear_, mesh_);
+}
 
-std::shared_ptr<Division> Divisions::of(const NetPlan& plan, Extent extent, const Fineness& fineness) {
-  return recent_.of({geometry_of(plan), extent, fineness}, [](const DivisionInput& input) {
-    if (input.extent == Extent::half) require_sewable(input.geometry);  // the whole gear tells while divided
+std::shared_ptr<Division> Divisions::of(const NetPlan& plan, Extent extent, const Fineness& fineness,
+                                        const std::shared_ptr<Division>& like) {
+  return recent_.of({geometry_of(plan), extent, fineness, like}, [](const DivisionInput& input) {
+    const bool is_sewn = input.like != nullptr;  // along the same lines as the other gear
+    if (input.extent == Extent::half && !is_sewn)
+      require_sewable(input.geometry);  // the whole gear tells while divided
     return std::make_shared<Division>(input);
   });
 }

@@ -2,6 +2,9 @@
 #pragma once
 #include "io/gears/meshing/start_shape.hpp"
 
+#include <memory>
+#include <optional>
+
 namespace netloft::gears {
 
 /// Copies only the data of a plan on which its division into elements depends, without materials, pieces,
@@ -12,15 +15,19 @@ NetPlan geometry_of(const NetPlan& plan);
 /// the net. The plan must be free of errors.
 void check_seams(const NetPlan& plan, formats::Diagnostics& diagnostics);
 
+class Division;
+
 /// The data on which the division of a gear into elements depends.
 struct DivisionInput {
   NetPlan geometry;
   Extent extent = Extent::whole;
   Fineness fineness;
+  std::shared_ptr<Division> like;  // a division whose topology is taken over; nullptr: none
   bool operator==(const DivisionInput&) const;
 };
 
-/// A divided gear and its initial shapes.
+/// A divided gear and its initial shapes. A gear that is divided like another one also starts from its
+/// shapes.
 class Division {
  public:
   explicit Division(DivisionInput input);
@@ -28,20 +35,22 @@ class Division {
   Division& operator=(const Division&) = delete;
 
   const GearMesh& mesh() const { return mesh_; }
-  StartShapes& start_shapes() { return shapes_; }
+  StartShapes& start_shapes() { return input_.like ? input_.like->start_shapes() : *shapes_; }
 
  private:
   DivisionInput input_;
   Gear gear_;  // refers to the input
   GearMesh mesh_;
-  StartShapes shapes_;
+  std::optional<StartShapes> shapes_;
 };
 
 /// Divides gears. Stores the last few divisions and reuses them for plans with the same geometry. Throws
-/// CannotDivide also about half a gear whose other half could not be sewn to it.
+/// CannotDivide also about half a gear whose other half could not be sewn to it. For `like` see
+/// divide_alike() in gear_mesh.hpp; it has the same extent.
 class Divisions {
  public:
-  std::shared_ptr<Division> of(const NetPlan& plan, Extent extent, const Fineness& fineness);
+  std::shared_ptr<Division> of(const NetPlan& plan, Extent extent, const Fineness& fineness,
+                               const std::shared_ptr<Division>& like = nullptr);
 
  private:
   Recent<DivisionInput, Division> recent_{6};

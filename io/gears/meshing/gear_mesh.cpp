@@ -48,21 +48,67 @@ class Divider {
         size_(size),
         lines_(seam_lines(gear, cloths, fineness, size)) {}
 
+  Divider(const Gear& gear, const Cloths& cloths, const Fineness& fineness, const MeshTopology& like)
+      : gear_(gear),
+        cloths_(cloths),
+        fineness_(fineness),
+        size_(like.size),
+        lines_(seam_lines_alike(gear, cloths, fineness, like)) {}
+
   GearMesh divide() {
+    begin();
+    fill_cloths();
+    for (int trial = 0; trial < kPartings && part_doubled_sides(); ++trial) continue;
+    return finish();
+  }
+
+  GearMesh divide_alike(const MeshTopology& like) {
+    begin();
+    move_cloths(like);
+    return finish();
+  }
+
+ private:
+  void begin() {
     number_lines();
     find_senses();
     mesh_.panels.resize(gear_.panels.size());
     mesh_.quality = {std::numbers::pi, 0, 0};
-    fill_cloths();
-    for (int trial = 0; trial < kPartings && part_doubled_sides(); ++trial) continue;
+  }
+
+  GearMesh finish() {
     for (std::size_t c = 0; c < cloths_.cloths.size(); ++c) add_cloth(c);
     for (std::size_t r = 0; r < gear_.ropes.size(); ++r) add_rope(r);
     add_points();
     add_middle();
+    mesh_.topology = topology();
     return std::move(mesh_);
   }
 
- private:
+  std::shared_ptr<const MeshTopology> topology() const {
+    auto all = std::make_shared<MeshTopology>(size_, lines_.number_of_points);
+    for (const Line& line : lines_.lines) {
+      all->ends.push_back(line.ends);
+      all->fractions.push_back(line.fractions);
+    }
+    for (std::size_t c = 0; c < planes_.size(); ++c) {
+      all->cloths.push_back(planes_[c]);
+      all->cloths.back().points = points_in_meshes(c);
+      all->borders.push_back(borders_[c].nodes.size());
+    }
+    return all;
+  }
+
+  /// The points of a cloth, counted in meshes.
+  std::vector<PlanePoint> points_in_meshes(std::size_t c) const {
+    std::vector<PlanePoint> points;
+    const PanelPoint unit = spread(*gear_.panels[cloths_.cloths[c].panel].panel, {1, 1});
+    for (const PanelPoint& p : borders_[c].points) points.push_back({p.x, p.y});
+    for (std::size_t k = points.size(); k < planes_[c].points.size(); ++k)
+      points.push_back({planes_[c].points[k][0] / unit.x, planes_[c].points[k][1] / unit.y});
+    return points;
+  }
+
   std::uint32_t add_node() { return static_cast<std::uint32_t>(mesh_.nodes++); }
 
   /// Numbers the end points of the lines of knots first, then the nodes between them.
@@ -137,6 +183,21 @@ class Divider {
       borders_.push_back(border_of(cloth));
       planes_.push_back(fill(cloth, borders_.back()));
       inside += planes_.back().points.size() - borders_.back().nodes.size();
+    }
+  }
+
+  /// Fills the cloths with the triangles of another gear, moved with the borders.
+  void move_cloths(const MeshTopology& like) {
+    for (std::size_t c = 0; c < cloths_.cloths.size(); ++c) {
+      const Panel& panel = *gear_.panels[cloths_.cloths[c].panel].panel;
+      borders_.push_back(border_of(cloths_.cloths[c]));
+      std::vector<PlanePoint> border;
+      for (const PanelPoint& p : borders_[c].points) border.push_back({p.x, p.y});
+      planes_.push_back(moved_with_border(like.cloths[c], border));
+      for (PlanePoint& p : planes_[c].points) {
+        const PanelPoint there = spread(panel, {p[0], p[1]});
+        p = {there.x, there.y};
+      }
     }
   }
 
@@ -215,7 +276,7 @@ class Divider {
     const Cloth& cloth = cloths_.cloths[c];
     report(cloth, 0);
     const PlaneMesh& plane = planes_[c];
-    const auto own = add_own_nodes(cloth, *gear_.panels[cloth.panel].panel, borders_[c], plane);
+    const auto own = add_own_nodes(c);
     for (auto t : plane.triangles) {
       rate(plane, t);
       if (senses_[c] < 0) std::swap(t[1], t[2]);
@@ -241,16 +302,14 @@ class Divider {
   }
 
   /// Adds the nodes of a cloth; both halves of a panel use the same nodes on the line between them.
-  std::vector<std::uint32_t> add_own_nodes(const Cloth& cloth, const Panel& panel, const Border& border,
-                                           const PlaneMesh& plane) {
+  std::vector<std::uint32_t> add_own_nodes(std::size_t c) {
+    const Cloth& cloth = cloths_.cloths[c];
+    const auto& border = borders_[c].nodes;
+    const std::vector<PlanePoint> points = points_in_meshes(c);
     std::vector<std::uint32_t> own;
-    const PanelPoint unit = spread(panel, {1, 1});
-    for (std::size_t k = 0; k < plane.points.size(); ++k) {
-      const bool is_inside = k >= border.nodes.size();
-      const PanelPoint p =
-          is_inside ? PanelPoint{plane.points[k][0] / unit.x, plane.points[k][1] / unit.y} : border.points[k];
-      own.push_back(own_node(cloth, is_inside ? add_node() : border.nodes[k], {cloth.sign * p.x, p.y}));
-    }
+    for (std::size_t k = 0; k < points.size(); ++k)
+      own.push_back(own_node(cloth, k < border.size() ? border[k] : add_node(),
+                             {cloth.sign * points[k][0], points[k][1]}));
     return own;
   }
 
@@ -404,6 +463,10 @@ GearMesh divide(const Gear& gear, const Fineness& fineness) {
     best = std::move(mesh);
   }
   return best;
+}
+
+GearMesh divide_alike(const Gear& gear, const Fineness& fineness, const MeshTopology& like) {
+  return Divider(gear, cloths_of(gear), fineness, like).divide_alike(like);
 }
 
 }  // namespace netloft::gears

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/gears/meshing/triangulation.hpp"
 #include "io/gears/plan/gear.hpp"
 
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -45,6 +47,18 @@ struct MeshQuality {
   std::size_t triangles = 0;
 };
 
+/// All decisions of a division, from which a gear with slightly different lengths and counts can be divided
+/// in the same way: its mesh has the same nodes and elements, in other places.
+struct MeshTopology {
+  double size = 0;                               // size of elements in half-open netting [m]
+  std::size_t points = 0;                        // number of points at which lines of knots end
+  std::vector<std::array<std::size_t, 2>> ends;  // of each line of knots: the points at its ends
+  std::vector<std::vector<double>> fractions;    // of each line: fractions of its length at its inner nodes
+  // For each cloth, its triangles [meshes]. The first points are those of its border.
+  std::vector<PlaneMesh> cloths;
+  std::vector<std::size_t> borders;  // for each cloth, the number of points of its border
+};
+
 /// A gear divided into elements: everything that meets at a point of a seam or a hanging shares one node
 /// there. The mesh has no positions yet (start_shape.hpp). Panels and ropes have the order of the gear.
 struct GearMesh {
@@ -54,6 +68,7 @@ struct GearMesh {
   std::map<std::string, std::uint32_t> points;  // points by name, such as "headrope.end"
   std::vector<std::uint32_t> middle;            // nodes on the plane of symmetry, in half a gear
   MeshQuality quality;
+  std::shared_ptr<const MeshTopology> topology;
 };
 
 /// Divides every panel into triangles, in coordinates counted in meshes (section 2.2 of the trawl-gear
@@ -68,5 +83,12 @@ struct GearMesh {
 /// Throws std::invalid_argument, with a sentence for the user, for a panel whose border crosses itself, and
 /// for a size that would give millions of nodes.
 GearMesh divide(const Gear& gear, const Fineness& fineness);
+
+/// Divides a gear in the same way as another one, whose mesh has the topology `like`. Lines are divided at
+/// the same fractions, and inner nodes of panels move with the border of their panel (moved_with_border() in
+/// triangulation.hpp), so that the mesh is a smooth function of the lengths and counts of the gear. Throws
+/// std::invalid_argument, with a sentence for the user, if the corners along a seam would follow each other
+/// in another order, or a triangle would be turned over.
+GearMesh divide_alike(const Gear& gear, const Fineness& fineness, const MeshTopology& like);
 
 }  // namespace netloft::gears

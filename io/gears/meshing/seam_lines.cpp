@@ -39,15 +39,27 @@ class LineMaker {
         borders_(sew(gear, cloths, kSnap * size)) {}
 
   SeamLines make() {
-    const RopeCourses ropes = run_ropes(gear_, borders_);
-    number_points(ropes);
-    add_side_lines();
-    for (std::size_t r = 0; r < gear_.ropes.size(); ++r) add_rope(r, ropes.courses[r]);
+    connect();
     divide_all();
     return std::move(all_);
   }
 
+  SeamLines make_alike(const MeshTopology& like) {
+    connect();
+    if (!std::ranges::equal(all_.lines, like.ends, {}, &Line::ends) || all_.number_of_points != like.points)
+      throw std::invalid_argument("the corners along a seam follow each other in another order");
+    for (std::size_t l = 0; l < all_.lines.size(); ++l) all_.lines[l].fractions = like.fractions[l];
+    return std::move(all_);
+  }
+
  private:
+  void connect() {
+    const RopeCourses ropes = run_ropes(gear_, borders_);
+    number_points(ropes);
+    add_side_lines();
+    for (std::size_t r = 0; r < gear_.ropes.size(); ++r) add_rope(r, ropes.courses[r]);
+  }
+
   std::size_t number_of(std::size_t point) { return numbers_[borders_.points.root(point)]; }
 
   void number_points(const RopeCourses& ropes) {
@@ -323,6 +335,11 @@ class LineMaker {
 
 SeamLines seam_lines(const Gear& gear, const Cloths& cloths, const Fineness& fineness, double size) {
   return LineMaker(gear, cloths, fineness, size).make();
+}
+
+SeamLines seam_lines_alike(const Gear& gear, const Cloths& cloths, const Fineness& fineness,
+                           const MeshTopology& like) {
+  return LineMaker(gear, cloths, fineness, like.size).make_alike(like);
 }
 
 }  // namespace netloft::gears

@@ -60,4 +60,9 @@ inline constexpr std::size_t kNoPoint = ~std::size_t{0};
 /// CannotDivide about seams that cannot be sewn.
 SeamLines seam_lines(const Gear& gear, const Cloths& cloths, const Fineness& fineness, double size);
 
+/// Makes the lines of a gear, and divides them as those of another gear. Throws std::invalid_argument if they
+/// connect other points.
+SeamLines seam_lines_alike(const Gear& gear, const Cloths& cloths, const Fineness& fineness,
+                           const MeshTopology& like);
+
 }  // namespace netloft::gears

@@ -240,6 +240,52 @@ PlaneMesh split_sides(const PlaneMesh& mesh, std::size_t border, double size,
   return Filler(mesh, border, size).add(sides, smoothing);
 }
 
+namespace {
+
+PlanePoint difference(const PlanePoint& a, const PlanePoint& b) { return {a[0] - b[0], a[1] - b[1]}; }
+
+/// (2) in triangulation.hpp, not yet divided by their sum, for a point inside the first points of a mesh.
+std::vector<double> mean_value_weights(const PlaneMesh& mesh, std::size_t border, const PlanePoint& x) {
+  std::vector<PlanePoint> rays(border);
+  std::vector<double> lengths(border), halves(border), weights(border);
+  for (std::size_t i = 0; i < border; ++i) {
+    rays[i] = difference(mesh.points[i], x);
+    lengths[i] = std::hypot(rays[i][0], rays[i][1]);
+  }
+  for (std::size_t i = 0; i < border; ++i) {
+    const PlanePoint &a = rays[i], &b = rays[(i + 1) % border];
+    const double along = a[0] * b[0] + a[1] * b[1], across = a[0] * b[1] - a[1] * b[0];
+    halves[i] = across / (lengths[i] * lengths[(i + 1) % border] + along);
+  }
+  for (std::size_t i = 0; i < border; ++i)
+    weights[i] = (halves[(i + border - 1) % border] + halves[i]) / lengths[i];
+  return weights;
+}
+
+}  // namespace
+
+PlaneMesh moved_with_border(const PlaneMesh& mesh, const std::vector<PlanePoint>& border) {
+  const std::size_t n = border.size();
+  if (std::equal(border.begin(), border.end(), mesh.points.begin())) return mesh;
+  PlaneMesh moved = mesh;
+  std::copy(border.begin(), border.end(), moved.points.begin());
+  for (std::size_t p = n; p < mesh.points.size(); ++p) {
+    const std::vector<double> weights = mean_value_weights(mesh, n, mesh.points[p]);
+    PlanePoint shift{};
+    double sum = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const PlanePoint d = difference(border[i], mesh.points[i]);
+      shift = {shift[0] + weights[i] * d[0], shift[1] + weights[i] * d[1]};
+      sum += weights[i];
+    }
+    moved.points[p] = {mesh.points[p][0] + shift[0] / sum, mesh.points[p][1] + shift[1] / sum};
+  }
+  for (const auto& [a, b, c] : moved.triangles)
+    if (!(twice_area(moved.points[a], moved.points[b], moved.points[c]) > 0))
+      throw std::invalid_argument("a triangle of its mesh would be turned over");
+  return moved;
+}
+
 std::array<double, 3> angles_of(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
   return {angle_at(a, b, c), angle_at(b, c, a), angle_at(c, a, b)};
 }

@@ -89,10 +89,10 @@ GearParts::GearParts(const gears::NetPlan& plan, formats::TableReader& root, con
   is_sound_ = diagnostics_.errors() == errors_before;
 }
 
-bool GearParts::divide() {
+bool GearParts::divide(const std::shared_ptr<gears::Division>& like) {
   if (!is_sound_) return false;
   try {
-    division_ = memory_.divisions.of(plan_, gear_.extent, fineness_);
+    division_ = memory_.divisions.of(plan_, gear_.extent, fineness_, like);
   } catch (const gears::CannotDivide& refused) {
     refused.report(plan_, diagnostics_);
     return false;
@@ -106,6 +106,7 @@ bool GearParts::divide() {
       panels->push_back(geometry_of(*gear_.panels[p].panel, division->mesh().panels[p]));
     return panels;
   });
+  draft_.out.gear->division = division_;
   if (fineness_.knots) draft_.out.gear->nodes = mesh().nodes;
   first_.resize(mesh().nodes);
   return mesh().nodes > 0;

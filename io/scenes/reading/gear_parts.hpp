@@ -27,7 +27,7 @@ class GearParts : public GearSteps {
   GearParts(const gears::NetPlan& plan, formats::TableReader& root, const ElementChoice& choice, Draft& draft,
             GearMemory& memory);
 
-  bool divide() override;
+  bool divide(const std::shared_ptr<gears::Division>& like) override;
   void read_undivided(PartReader& parts) override;
   const gears::Ship* ship() const override { return plan_.ship ? &*plan_.ship : nullptr; }
   bool has_name(const std::string& name) const override;

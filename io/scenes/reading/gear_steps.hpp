@@ -3,6 +3,7 @@
 #include "io/gears/plan/net_plan.hpp"
 #include "io/scenes/reading/draft.hpp"
 
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -17,8 +18,8 @@ class GearSteps {
   virtual ~GearSteps() = default;
 
   /// Divides the gear into triangles and bars. Returns false after an error in the plan or in `[gear]`; the
-  /// rest of the scene is then not read.
-  virtual bool divide() { return true; }
+  /// rest of the scene is then not read. For `like` see SceneSource::instance().
+  virtual bool divide(const std::shared_ptr<gears::Division>&) { return true; }
   /// Called instead of all steps below. Reads the tables of the plan that need no mesh: its bodies and the
   /// elements of its panels, ropes and floats.
   virtual void read_undivided(PartReader&) {}

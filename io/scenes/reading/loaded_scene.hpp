@@ -9,10 +9,15 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
+
+namespace netloft::gears {
+class Division;
+}
 
 namespace netloft::scenes {
 
@@ -120,6 +125,7 @@ struct GearInScene {
   std::vector<BillItem> bill;
   std::vector<NettingSheet> netting;
   std::map<std::string, SheetPlace> sheet;  // places of panels by their name
+  std::shared_ptr<gears::Division> division;
 };
 
 /// The strength of a part, from the net plan or the catalogue.

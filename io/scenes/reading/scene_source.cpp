@@ -62,8 +62,8 @@ class SceneReader {
     if (!plan) refuse_tables_of_plans(root_);
   }
 
-  LoadedScene read() {
-    if (!gear_->divide()) return std::move(out_);
+  LoadedScene read(const std::shared_ptr<gears::Division>& like) {
+    if (!gear_->divide(like)) return std::move(out_);
     water_.read();
     gear_->read_parts(parts_);
     joins_.read();
@@ -178,7 +178,8 @@ class SceneSource::Memory {
   const std::filesystem::path& file() const { return file_; }
 
   LoadedScene instance(const std::vector<formats::Change>& changes, Registry& registry,
-                       formats::Diagnostics& diagnostics, bool& refused) {
+                       formats::Diagnostics& diagnostics, bool& refused,
+                       const std::shared_ptr<gears::Division>& like) {
     formats::Value root = changed(changes, diagnostics);
     if (diagnostics.errors()) return {};
     SceneCatalogue catalogue(catalogue_, root, file_.parent_path(), diagnostics);
@@ -188,7 +189,7 @@ class SceneSource::Memory {
     if (plan && diagnostics.errors()) return {};  // the rest of the scene cannot be checked without the gear
     LoadedScene loaded = SceneReader(root, plan ? &plan->plan : nullptr, gear_, file_.parent_path(), registry,
                                      diagnostics, refused)
-                             .read();
+                             .read(like);
     formats::accept_warnings(root, diagnostics);
     loaded.scene.name = file_.stem().string();
     loaded.strengths.merge(strengths);
@@ -272,10 +273,11 @@ formats::Value SceneSource::tables(const std::vector<formats::Change>& changes,
 }
 
 LoadedScene SceneSource::instance(const std::vector<formats::Change>& changes, Registry& registry,
-                                  formats::Diagnostics& diagnostics, bool& refused) const {
+                                  formats::Diagnostics& diagnostics, bool& refused,
+                                  const std::shared_ptr<gears::Division>& like) const {
   const std::string file = memory_->file().string();
   const formats::LongWork reading({"reading", file});
-  return memory_->instance(changes, registry, diagnostics, refused);
+  return memory_->instance(changes, registry, diagnostics, refused, like);
 }
 
 gears::NetPlan SceneSource::check_plan(const std::vector<formats::Change>& changes, Registry& registry,

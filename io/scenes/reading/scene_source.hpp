@@ -27,8 +27,11 @@ class SceneSource {
   /// The scene with `changes` applied in their order. All errors go to the diagnostics with their place in a
   /// file or the change that caused them; use the result only if there are no errors. Opens the plugins that
   /// the scene names; sets `refused` if one of them is missing or was rejected.
+  /// `like`: the division of another instance (GearInScene::division), whose mesh topology is taken over, so
+  /// that the mesh is a smooth function of the numbers of the net plan; nullptr: the gear is divided anew.
   LoadedScene instance(const std::vector<formats::Change>& changes, Registry& registry,
-                       formats::Diagnostics& diagnostics, bool& refused) const;
+                       formats::Diagnostics& diagnostics, bool& refused,
+                       const std::shared_ptr<gears::Division>& like = nullptr) const;
 
   /// The net plan with `changes` applied: checks whether the net can be sewn, and reads all tables of the
   /// scene that need no mesh. A file without a net plan is an error. For the other arguments see instance().

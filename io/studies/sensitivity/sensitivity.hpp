@@ -42,13 +42,14 @@ struct SensitivityRequest {
 /// zero:
 ///   dg/dp = ∂g/∂p + ∂g/∂x dx/dp,   K dx/dp = −∂r/∂p                                       (1)
 /// K is the exact tangent at x, factorised once for all numbers. For each number, the scene is instantiated
-/// at p ± h on the same mesh, which gives ∂r/∂p and dx/dp (runs::Tangent), and then, to second order in h,
+/// at p ± h with the same mesh topology, which gives ∂r/∂p and dx/dp (runs::Tangent), and then, to second
+/// order in h,
 ///   dg/dp = [g(x + h dx/dp, p + h) − g(x − h dx/dp, p − h)] / 2h                           (2)
 /// in which no equilibrium is sought. h is a millionth of the number, or of its unit if the number is zero.
 /// At an end of the range of the number, p itself takes the place of the value beyond it. The long step is a
-/// thousandth; there, x ± h dx/dp is corrected by one step with K. A number has no derivatives if the scene
-/// is valid on neither side, or if its mesh changes: counts, and sizes that decide how many elements there
-/// are.
+/// thousandth; there, x ± h dx/dp is corrected by one step with K. Numbers of a net plan, its counts of
+/// meshes included, move the nodes of the mesh and keep its triangles (PreparedScene::prepare_like()). A
+/// number has no derivatives if the scene is valid on neither side, or has other unknowns there.
 ///
 /// The derivatives hold while no member becomes taut or slack, and no node touches or leaves the ground.
 /// A member or node that is about to do so has another derivative with the long step.

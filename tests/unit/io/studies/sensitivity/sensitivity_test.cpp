@@ -108,7 +108,37 @@ TEST(Sensitivity, IsTheChangeOfEquilibriaOfATrawl) {
   }
 }
 
-TEST(Sensitivity, HasNoDerivativesForCounts) {
+// Counts, mesh sizes, take-ups and lengths of the net plan, against central differences of equilibria on the
+// same mesh topology.
+TEST(Sensitivity, IsTheChangeOfEquilibriaForNumbersOfThePlan) {
+  AtRest trawl("83-112-flume-3.0kn.toml", {"gear.nodes=300", "analysis.tolerance=1e-11"});
+  const Sensitivities found = trawl.to({"panels.top-wing.depth", "panels.bottom-body.fore[0].meshes",
+                                        "panels.top-body.aft", "hang[1].length", "ropes.footrope.length"});
+  ASSERT_EQ(found.effects.size(), 5u);
+  for (const NumberEffect& effect : found.effects) {
+    ASSERT_EQ(effect.why_not, "") << effect.number.path;
+    const double h = 1e-5 * effect.number.value;
+    const auto figures_at = [&](double p) {
+      runs::CaseSource source = trawl.scene.source();
+      source.changes.push_back(effect.number.to(p));
+      runs::PreparedScene beside(std::move(source), test::shipped_plugins());
+      EXPECT_EQ(beside.prepare_like(trawl.scene), runs::PreparedScene::State::ready);
+      const Solution s =
+          runs::continue_equilibrium(beside, beside.assembler().displacements_to(trawl.solution.x), 50);
+      EXPECT_EQ(s.status, SolveStatus::converged) << effect.number.path << ": " << s.reason;
+      return all_figures(results::make_result(beside.loaded(), beside.assembler(), s));
+    };
+    const auto above = figures_at(effect.number.value + h), below = figures_at(effect.number.value - h);
+    for (const char* figure : {"mouth/headline_height", "mouth/lower_wing_spread", "drag/all/x"}) {
+      const std::size_t f = place_of(found, figure);
+      const double expected = (above[f].value - below[f].value) / (2 * h);
+      EXPECT_NEAR(effect.per_unit[f], expected, 1e-4 * std::abs(expected) + 1e-7)
+          << effect.number.path << ", " << figure;
+    }
+  }
+}
+
+TEST(Sensitivity, HasNoDerivativesForCells) {
   AtRest rope("hanging-rope.toml", {});
   for (const NumberEffect& effect : rope.to({"parts.rope"}).effects) {
     const bool is_count = effect.number.path == "parts.rope.cells";
