@@ -156,7 +156,8 @@ class SceneBytes {
   void put(const SheetPlace& s) { put_all(s.x, s.y, s.x_across, s.y_across, s.x_deep, s.y_deep); }
   void put(const GearInScene& g) {
     const auto& [times, panels, ropes, pieces, points, nodes, size, headline, footrope, across, roles, pairs,
-                 ship_speed, ship_efficiency, bill, netting, sheet] = g;
+                 ship_speed, ship_efficiency, bill, netting, sheet, division] = g;
+    static_cast<void>(division);  // the geometry of the parts is that of its mesh
     put_all(times, panels, ropes, pieces, points, nodes, size, headline, footrope, across, roles, pairs,
             ship_speed, ship_efficiency, bill, netting, sheet);
   }
