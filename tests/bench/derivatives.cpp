@@ -48,10 +48,6 @@ struct AtRest {
       result = results::make_result(scene.loaded(), scene.assembler(), solution);
   }
   bool is_there() const { return solution.status == SolveStatus::converged; }
-  std::vector<SceneNumber> numbers(const std::vector<std::string>& paths = {}) const {
-    formats::Diagnostics said;
-    return chosen(numbers_of(scene.source().scene.tables(scene.source().changes, said)), paths);
-  }
   runs::PreparedScene scene;
   Solution solution;
   results::Result result;
@@ -131,7 +127,7 @@ Pairs compare(const char* name, bool has_plan, std::size_t count, unsigned seed)
   const auto figures = chosen_figures(at.result, {});
   const Sensitivities found = find_sensitivities(
       at.scene, at.solution,
-      {.figures = all_figures(at.result), .numbers = at.numbers(), .with_long_step = true});
+      {.figures = all_figures(at.result), .numbers = chosen_numbers(at.scene, {}), .with_long_step = true});
   auto numbers = effective(found, figures);
   std::ranges::shuffle(numbers, std::mt19937(seed));
   numbers.resize(std::min(count, numbers.size()));
@@ -147,7 +143,7 @@ double cost(std::size_t count) {
     const double begin = cpu_seconds();
     AtRest at("83-112-at-sea-66m", {"gear.nodes=2000"});
     const double solved = cpu_seconds();
-    auto numbers = at.numbers();
+    auto numbers = chosen_numbers(at.scene, {});
     numbers.resize(count);
     find_sensitivities(at.scene, at.solution, {.figures = all_figures(at.result), .numbers = numbers});
     ratios.push_back((cpu_seconds() - solved) / (solved - begin));

@@ -28,12 +28,6 @@ void require_equilibrium(const scenes::LoadedScene& loaded) {
         "out ship.warp.tension"};
 }
 
-/// The numbers of the scene that are chosen by --to.
-std::vector<studies::SceneNumber> numbers_to(const SensitivityOptions& o, const runs::CaseSource& source) {
-  formats::Diagnostics said;  // errors were reported when the scene was opened
-  return studies::chosen(studies::numbers_of(source.scene.tables(source.changes, said)), o.to);
-}
-
 /// The sentence about an equilibrium that has no derivatives.
 int end_without_equilibrium(const SensitivityOptions& o, Terminal& terminal, const Solution& solution) {
   terminal.clear();
@@ -80,7 +74,7 @@ int run_sensitivity(const SensitivityOptions& o) {
   runs::PreparedScene& scene = session.scene();
   require_equilibrium(scene.loaded());
   require_place(o.output, paths_of(scene.loaded()));
-  const auto numbers = numbers_to(o, scene.source());
+  const auto numbers = studies::chosen_numbers(scene, o.to);
   catch_interrupts();
   Terminal& terminal = session.terminal();
   Watchdog watchdog(terminal, ending_with_a_sentence(terminal, "there are no derivatives yet"));

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <stdexcept>
+#include <string_view>
 
 namespace netloft::studies {
 
@@ -43,10 +45,26 @@ bool is_below(const std::string& path, const std::string& table) {
          (path.size() == table.size() || path[table.size()] == '.' || path[table.size()] == '[');
 }
 
-std::vector<std::string> paths_of(const std::vector<SceneNumber>& numbers) {
+/// The sentence about a path that names no number.
+std::string no_number(const std::string& path, const std::vector<SceneNumber>& numbers) {
   std::vector<std::string> paths;
   for (const SceneNumber& number : numbers) paths.push_back(number.path);
-  return paths;
+  const auto near = nearest(path, paths);
+  return "the scene states no number \"" + path + "\"; " +
+         (near ? "did you mean \"" + *near + "\"?"
+               : "write it into the scene, or state it with --set " + path + "=VALUE");
+}
+
+/// Adds those parameters of a part or law that are reals with a value.
+void add_reals(const netloft::Values& values, const std::vector<netloft_parameter>& parameters,
+               const std::string& path, std::vector<SceneNumber>& numbers) {
+  for (const netloft_parameter& parameter : parameters) {
+    const auto at = values.find(parameter.name);
+    const double* real = at == values.end() ? nullptr : std::get_if<double>(&at->second);
+    if (!real || parameter.kind != NETLOFT_REAL) continue;
+    const std::string unit = parameter.unit == std::string_view("1") ? "" : parameter.unit;
+    numbers.push_back({path + "." + parameter.name, *real, unit});
+  }
 }
 
 }  // namespace
@@ -62,21 +80,42 @@ std::vector<SceneNumber> numbers_of(const formats::Value& tables) {
   return all.take();
 }
 
-std::vector<SceneNumber> chosen(const std::vector<SceneNumber>& numbers,
-                                const std::vector<std::string>& paths) {
+std::vector<SceneNumber> parameters_of(const scenes::LoadedScene& loaded, Registry& registry) {
+  std::set<std::uint32_t> of_plan;
+  if (const auto& gear = loaded.gear)
+    for (const auto* parts : {&gear->panels, &gear->ropes, &gear->pieces})
+      of_plan.insert(parts->begin(), parts->end());
+  std::vector<SceneNumber> numbers;
+  for (std::uint32_t p = 0; p < loaded.scene.parts.size(); ++p) {
+    const Part& part = loaded.scene.parts[p];
+    if (part.companion) continue;
+    const std::string path = formats::join_path(of_plan.contains(p) ? "elements" : "parts", part.name);
+    add_reals(part.parameters, registry.element(part.type).parameters, path, numbers);
+    for (const auto& [slot, law] : part.laws)
+      add_reals(law.parameters, registry.law(law.type).parameters, formats::join_path(path, slot), numbers);
+  }
+  return numbers;
+}
+
+std::vector<SceneNumber> chosen_numbers(runs::PreparedScene& scene, const std::vector<std::string>& paths) {
+  formats::Diagnostics said;  // errors were reported when the scene was read
+  auto numbers = numbers_of(scene.source().scene.tables(scene.source().changes, said));
   if (paths.empty()) return numbers;
+  const std::size_t written = numbers.size();
+  for (SceneNumber& parameter : parameters_of(scene.loaded(), scene.registry()))
+    if (std::ranges::find(numbers, parameter.path, &SceneNumber::path) == numbers.end())
+      numbers.push_back(std::move(parameter));
+  std::vector<bool> is_chosen(numbers.size(), false);
   for (const std::string& path : paths) {
-    if (std::ranges::any_of(numbers, [&](const SceneNumber& n) { return is_below(n.path, path); })) continue;
-    const auto near = nearest(path, paths_of(numbers));
-    throw std::invalid_argument("the scene states no number \"" + path + "\"; " +
-                                (near
-                                     ? "did you mean \"" + *near + "\"?"
-                                     : "write it into the scene, or state it with --set " + path + "=VALUE"));
+    const bool is_part = path.find('.') != std::string::npos;
+    bool is_known = false;
+    for (std::size_t n = 0; n < (is_part ? numbers.size() : written); ++n)
+      if (is_below(numbers[n].path, path)) is_chosen[n] = is_known = true;
+    if (!is_known) throw std::invalid_argument(no_number(path, numbers));
   }
   std::vector<SceneNumber> some;
-  for (const SceneNumber& number : numbers)
-    if (std::ranges::any_of(paths, [&](const std::string& path) { return is_below(number.path, path); }))
-      some.push_back(number);
+  for (std::size_t n = 0; n < numbers.size(); ++n)
+    if (is_chosen[n]) some.push_back(std::move(numbers[n]));
   return some;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/formats/toml/change.hpp"
+#include "io/runs/prepared_scene.hpp"
 
 #include <string>
 #include <vector>
@@ -20,9 +21,14 @@ struct SceneNumber {
 /// the scene is solved and reported, not what it is: analysis, results, catalogue, accept and gear.nodes.
 std::vector<SceneNumber> numbers_of(const formats::Value& tables);
 
-/// Those of `numbers` that `paths` name: each path names a number, or a table or array of numbers. All, if
-/// there are no paths. Throws std::invalid_argument with a sentence if a path names no number.
-std::vector<SceneNumber> chosen(const std::vector<SceneNumber>& numbers,
-                                const std::vector<std::string>& paths);
+/// The real parameters of the parts of a scene that their file, the net plan or the catalogue states, in SI
+/// units, under the paths that override them: "elements.top-wing.twine.diameter" for a part of a net plan,
+/// "parts.net.twine.EA" for another one.
+std::vector<SceneNumber> parameters_of(const scenes::LoadedScene& loaded, Registry& registry);
+
+/// The numbers of a scene that `paths` name: each path names a number, or a table or array of numbers. A path
+/// to a table of one part, such as "elements.top-wing", also names the parameters of that part. Without
+/// paths, all numbers of the tables. Throws std::invalid_argument with a sentence if a path names no number.
+std::vector<SceneNumber> chosen_numbers(runs::PreparedScene& scene, const std::vector<std::string>& paths);
 
 }  // namespace netloft::studies

@@ -23,9 +23,8 @@ struct AtRest {
     solution = runs::find_equilibrium(scene);
     EXPECT_EQ(solution.status, SolveStatus::converged) << solution.reason;
   }
-  std::vector<SceneNumber> numbers(const std::vector<std::string>& paths) const {
-    formats::Diagnostics said;
-    return chosen(numbers_of(scene.source().scene.tables(scene.source().changes, said)), paths);
+  std::vector<SceneNumber> numbers(const std::vector<std::string>& paths) {
+    return chosen_numbers(scene, paths);
   }
   Sensitivities to(const std::vector<std::string>& paths, bool with_long_step = false) {
     const auto result = results::make_result(scene.loaded(), scene.assembler(), solution);
@@ -182,6 +181,16 @@ TEST(SceneNumbers, AreThoseOfTheTablesThatSayWhatTheSceneIs) {
   EXPECT_EQ(rope.numbers({"parts.rope.length"}).at(0).unit, "m");
   EXPECT_EQ(rope.numbers({"parts.rope.sketch[1]"}).size(), 3u);
   EXPECT_EQ(rope.numbers({"parts.rope.length"}).at(0).to(10.5).text, "parts.rope.length=\"10.5 m\"");
+}
+
+// The twine of a panel is that of the catalogue, which the plan names.
+TEST(SceneNumbers, OfAPartIncludeThoseOfTheCatalogue) {
+  AtRest trawl("83-112-flume-3.0kn.toml", {"gear.nodes=300", "analysis.tolerance=1e-10"});
+  EXPECT_GT(trawl.numbers({"elements.headrope"}).size(), 2u);
+  EXPECT_EQ(trawl.numbers({"elements.top-wing.twine.diameter"}).at(0).unit, "m");
+  const Sensitivities found = trawl.to({"elements.top-wing.twine.diameter"});
+  EXPECT_EQ(found.effects.at(0).why_not, "");
+  EXPECT_GT(std::abs(derivative(found, "drag/all/x", "elements.top-wing.twine.diameter")), 1e4);
 }
 
 TEST(SceneNumbers, AreNamedIfAPathIsWrong) {
