@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <functional>
+#include "solvers/fitting/model.hpp"
+
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,17 +17,6 @@ struct Prior {
 /// A measured value with its standard deviation.
 struct Measurement {
   double value = 0, deviation = 1;
-};
-
-/// A model f(θ) that predicts measurements from parameters θ.
-class Model {
- public:
-  virtual ~Model() = default;
-  /// Returns f(θ), or nullopt if the model has no solution. The next call of `slopes` starts from this point.
-  virtual std::optional<std::vector<double>> predict(const std::vector<double>& parameters) = 0;
-  /// Returns ∂f/∂θ at θ, a row per measurement, or nullopt if the model has no solution near θ.
-  virtual std::optional<std::vector<std::vector<double>>> slopes(const std::vector<double>& parameters) = 0;
-  virtual bool is_interrupted() const { return false; }
 };
 
 struct FitOptions {

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <Eigen/Core>
+
+namespace netloft {
+
+/// A quadratic programme:
+///   minimise gᵀx + ½ xᵀBx  with  G x ≤ h                                                           (1)
+/// B is symmetric and positive semidefinite, and positive definite together with the rows of G.
+struct Quadratic {
+  Eigen::MatrixXd B;
+  Eigen::VectorXd g;
+  Eigen::MatrixXd G;
+  Eigen::VectorXd h;
+};
+
+/// The least point of (1), and multipliers y ≥ 0 of its rows: g + Bx + Gᵀy = 0.
+struct QuadraticAnswer {
+  Eigen::VectorXd x, y;
+};
+
+/// Solves (1) from `x`, which need not satisfy G x ≤ h, with an interior point method (S. Mehrotra, SIAM J.
+/// Optim. 2, 1992). The accuracy is that of rounding if some x satisfies all rows strictly.
+QuadraticAnswer minimise(const Quadratic& quadratic, Eigen::VectorXd x);
+
+}  // namespace netloft
