@@ -56,7 +56,7 @@ struct AtRest {
 /// The figures of the equilibrium at another value of a number, on the mesh of `at`; none without one.
 std::vector<results::NamedScalar> figures_beside(const AtRest& at, const SceneNumber& number, double value) {
   runs::CaseSource source = at.scene.source();
-  source.changes.push_back(number.to(value));
+  formats::append(source.changes, number.to(value));
   runs::PreparedScene beside(std::move(source), plugins());
   if (beside.prepare_like(at.scene) != runs::PreparedScene::State::ready) return {};
   const Solution s = runs::find_equilibrium(beside);

@@ -33,6 +33,15 @@ figure = "results/z"
 value = -5
 deviation = 1
 """
+OPTIMUM = """\
+scene = "FILE"
+[variables.density]
+key = "parts.rope.rope.density"
+range = [300, 360]
+[objective]
+minimise = "results/z"
+unit = "m"
+"""
 
 
 class Ground:
@@ -189,15 +198,16 @@ def commands_on_inputs(ground):
     """Words, with FILE for what is to be read, and files made to lead to FILE."""
     made = {"included.toml": 'include = ["FILE"]\n', "mesh.toml": ground.mesh_scene,
             "parts.toml": 'catalogue = ["FILE"]\n' + (ground.work / "scene.toml").read_text(),
-            "of.toml": STUDY.replace("scene.toml", "FILE"), "cal.toml": CALIBRATION}
+            "of.toml": STUDY.replace("scene.toml", "FILE"), "cal.toml": CALIBRATION, "best.toml": OPTIMUM}
     direct = (["run", "FILE"], ["run", "scene.toml", "--start-from", "FILE"], ["plan", "FILE"], ["refine", "FILE"], ["compare", "FILE", "--solver", "newton"],
-              ["scope", "FILE", "--depth", "20:40"], ["sensitivity", "FILE"], ["check", "FILE"], ["draw", "FILE", "-o", "o.svg"], ["calibrate", "FILE"], ["report", "FILE"],
+              ["scope", "FILE", "--depth", "20:40"], ["sensitivity", "FILE"], ["check", "FILE"], ["draw", "FILE", "-o", "o.svg"], ["calibrate", "FILE"], ["optimise", "FILE"],
+              ["report", "FILE"],
               ["view", "FILE", "-o", "o.html"], ["diff", "FILE", "good.hdf"], ["diff", "good.hdf", "FILE"], ["export", "FILE", "o.csv"],
               ["import", "table", "FILE"], ["import", "moordyn", "FILE"], ["import", "femnet", "FILE"],
               ["import", "femnet", str(ground.source / "tests/validation/femnet_files/01_two_bars.don"), "--mesh", "FILE"], ["import", "--check", "FILE"],
               ["study", "plan", "FILE"], *(["study", *words] for words in others.actions_on("FILE")))
     through = (["plan", "included.toml"], ["run", "included.toml"], ["plan", "mesh.toml"], ["run", "mesh.toml"], ["plan", "parts.toml"],
-               ["check", "included.toml"], ["study", "plan", "of.toml"], ["calibrate", "cal.toml"])
+               ["check", "included.toml"], ["study", "plan", "of.toml"], ["calibrate", "cal.toml"], ["optimise", "best.toml"])
     return made, direct, through
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Commands about many values of one scene: `study` with its actions, `scope`, `sensitivity` and `calibrate`.
+// Commands about many values of one scene: `study` with its actions, `scope`, `sensitivity`, `optimise` and
+// `calibrate`.
 #include "io/program/commands/studies.hpp"
 
 #include "io/program/command_line/chosen.hpp"
@@ -184,11 +185,26 @@ void add_sensitivity_command(CLI::App& app, Chosen& chosen) {
                    "member is about to become slack, or a node to touch the ground");
 }
 
+void add_optimise_command(CLI::App& app, Chosen& chosen) {
+  auto [command, o] = add_command(
+      app, chosen, "optimise",
+      "find the values of numbers of a scene at which a figure is least or greatest, within limits",
+      optimise_command);
+  command.add_option("STUDY", o.file, "file with variables, objective and constraints")
+      ->required()
+      ->type_name("FILE.toml");
+  as_word(command.add_option("-o,--output", o.output,
+                             "folder of the answer; default: the file's name with .optimum, in this folder"),
+          "FOLDER");
+  add_plugin_options(command, o);
+}
+
 }  // namespace
 
 void add_study_commands(CLI::App& app, Chosen& chosen) {
   add_scope_command(app, chosen);
   add_sensitivity_command(app, chosen);
+  add_optimise_command(app, chosen);
   add_study_command(app, chosen);
   auto [calibrate, o] = add_command(
       app, chosen, "calibrate",

@@ -22,6 +22,11 @@ struct CalibrateOptions : PluginOptions {
   std::string file;  // argument CALIBRATION
 };
 
+struct OptimiseOptions : PluginOptions {
+  std::string file;    // argument STUDY
+  std::string output;  // option -o; empty: the name of the file with .optimum
+};
+
 struct StudyPlanOptions : PluginOptions {
   std::string file;    // argument STUDY
   std::string output;  // option -o
@@ -67,6 +72,7 @@ struct StudySobolOptions : StudyEstimateOptions {
 int scope_command(const ScopeOptions& options);          // lengths of warp for each depth
 int calibrate_command(const CalibrateOptions& options);  // calibrates parameters of scenes with measurements
 int sensitivity_command(const SensitivityOptions& options);  // derivatives of figures with respect to numbers
+int optimise_command(const OptimiseOptions& options);        // finds the best values of numbers of a scene
 
 // actions on studies: many solves of one scene with varied inputs
 int study_plan_command(const StudyPlanOptions& options);

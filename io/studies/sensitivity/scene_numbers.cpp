@@ -69,9 +69,14 @@ void add_reals(const netloft::Values& values, const std::vector<netloft_paramete
 
 }  // namespace
 
-formats::Change SceneNumber::to(double other) const {
-  const std::string text = formats::format(other);
-  return formats::read_change(path + "=" + (unit.empty() ? text : '"' + text + ' ' + unit + '"'));
+std::vector<formats::Change> SceneNumber::to(double other) const {
+  std::vector<formats::Change> all;
+  for (const FollowingKey& key : keys.empty() ? std::vector<FollowingKey>{{path, 1, 0}} : keys) {
+    const std::string text = formats::format(key.offset + key.factor * other);
+    all.push_back(
+        formats::read_change(key.path + "=" + (unit.empty() ? text : '"' + text + ' ' + unit + '"')));
+  }
+  return all;
 }
 
 std::vector<SceneNumber> numbers_of(const formats::Value& tables) {

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/formats/toml/change.hpp"
 #include "io/runs/prepared_scene.hpp"
+#include "io/studies/variables/variable.hpp"
 
 #include <string>
 #include <vector>
 
 namespace netloft::studies {
 
-/// A number in the tables of a scene.
+/// A number in the tables of a scene, or a variable that several of them follow.
 struct SceneNumber {
-  std::string path;  // path as for `--set`: "tow.speed", "points.towing-point.at[2]"
-  double value = 0;  // the number as written
-  std::string unit;  // its unit as written, such as "kn"; empty: none
-  /// The change of the scene to another value of this number.
-  formats::Change to(double other) const;
+  std::string path;                     // path as for `--set`: "tow.speed", "points.towing-point.at[2]"
+  double value = 0;                     // the number as written
+  std::string unit;                     // its unit as written, such as "kn"; empty: none
+  std::vector<FollowingKey> keys = {};  // keys that follow the number; none: the key is `path`
+  /// The changes of the scene to another value of this number.
+  std::vector<formats::Change> to(double other) const;
 };
 
 /// The numbers in the tables of a scene, in the order of the file. Left out are the tables that describe how

@@ -118,9 +118,10 @@ class Sensitivity {
     return near;
   }
 
-  std::shared_ptr<runs::PreparedScene> open(const formats::Change& change, std::string& why_not) const {
+  std::shared_ptr<runs::PreparedScene> open(const std::vector<formats::Change>& changes,
+                                            std::string& why_not) const {
     runs::CaseSource source = scene_.source();
-    source.changes.push_back(change);
+    formats::append(source.changes, changes);
     source.threads = 1;  // starting threads takes longer than they save in one evaluation
     auto near =
         std::make_shared<runs::PreparedScene>(std::move(source), scene_.registry(), scene_.factorisations());

@@ -34,6 +34,10 @@ line() {
   printf '[parts.line]\ntype = "rope/bar"\nlength = "10 m"\ncells = 4\nsketch = [[%s, 0, 0], [%s, 0, -9]]\n' $1 $(($1 + 1))
   printf 'rope = { diameter = "20 mm", EA = "%s", density = 1150 }\n[[hold]]\non = "line.start"\n' "$2"
 }
+optimum() {
+  printf 'scene = "gear-library/scenes/dead-weight-panel.toml"\nset = ["parts.net.cells=[8,8]"]\n[variables.d]\nkey = "parts.net.twine.density"\n'
+  printf 'range = [1100, 3000]\n[objective]\nminimise = "%s"\nunit = "%s"\n' "$1" "$2"
+}
 evil() { line 0 "100 kN"; printf '[parts.evil]\ntype = "hostile/%s"\non = "line.end"\n' "$1"; }
 """
 
@@ -169,6 +173,10 @@ ALL = [
          "there are no derivatives, because the scene ended not converged"),
         ("netloft sensitivity $sea --set 'analysis.kind=\"dynamic\"' --set analysis.duration=2", 2,
          "sensitivity asks for an equilibrium, but this scene is a motion"),
+        ("netloft optimise o.toml", 2, 'the scene does not report a figure "results/low"; did you mean "results/lowest_z"?',
+         {"prepare": "optimum results/low m > o.toml", "holds": "test ! -e o.optimum"}),
+        ("netloft optimise o.toml", 2, 'results/lowest_z is a length in m, which "N" cannot express',
+         {"prepare": "optimum results/lowest_z N > o.toml"}),
         ("netloft run $panel --strategy deflation:by=deflation -o x.hdf", 2,
          'analysis.deflation.by: by = "deflation" leads back to deflation/deflation, which would call itself without end'),
         ("netloft plan $panel --strategy coarse-to-fine:by=coarse-to-fine", 2, "leads back to coarse-to-fine/coarse-to-fine"),

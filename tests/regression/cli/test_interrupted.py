@@ -75,6 +75,41 @@ class Interrupted(InFreshFolder):
         self.assertEqual((report["status"], report["reason"]), ("interrupted", "interrupted"))
         self.assertGreaterEqual(report["solves"], 1)
 
+    OPTIMUM = (f'scene = "{PANEL}"\nset = ["parts.net.cells=[60,60]"]\n[variables.density]\nkey = "parts.net.twine.density"\n'
+               'range = [1100, 3000]\n[variables.diameter]\nkey = "parts.net.twine.diameter"\nrange = ["5 mm", "15 mm"]\n'
+               '[objective]\nmaximise = "results/lowest_z"\nunit = "m"\n'
+               '[[constraints]]\nfigure = "results/top_reaction_z"\nat_least = "800 N"\n')
+
+    def points_of(self, folder):
+        file = self.folder / folder / "history.jsonl"
+        return len(file.read_text().splitlines()) if file.exists() else 0
+
+    def test_an_optimum_goes_on_where_it_ended(self):
+        self.write("o.toml", self.OPTIMUM)
+        whole = self.netloft("optimise", "o.toml", "--json", "-o", "whole")
+        self.assertEqual(whole.code, 0, whole.err)
+        process = subprocess.Popen(self.command("optimise", "o.toml"), cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, env=self.environment())
+        self.addCleanup(process.kill)
+        while self.points_of("o.optimum") < 2 and process.poll() is None:
+            time.sleep(0.001)
+        process.kill()
+        process.communicate()
+        self.assertGreaterEqual(self.points_of("o.optimum"), 2)
+        again = self.netloft("optimise", "o.toml", "--json")
+        self.assertEqual(again.code, 0, again.err)
+        a, b = json.loads(whole.out), json.loads(again.out)
+        self.assertEqual(a["points"], b["points"])
+        self.assertLess(b["solves"], a["solves"])
+        self.assertAlmostEqual(a["objective"]["after"], b["objective"]["after"], 6)
+
+    def test_an_optimum_shows_the_best_point(self):
+        self.write("o.toml", self.OPTIMUM)
+        out, err = self.interrupted("optimise", "o.toml", "--json")
+        self.assertEqual(json.loads(out)["status"], "interrupted")
+        self.assertIn("call it again to go on", err)
+        self.assertFalse((self.folder / "o.optimum/scene.toml").exists())
+
     def test_a_scope_table_shows_the_lengths_that_were_solved(self):
         out, err = self.interrupted("scope", AT_SEA, "--set", "gear.nodes=600", "--depth", "65:67:9", "--warp", "3.2:3.5:9", "-o",
                                     "kept.svg", "--json")

@@ -82,6 +82,8 @@ COMMANDS = (
     ("netloft study sobol ropes --at cells=20 --figure results/sag_z --color never --json -o bars.svg; ls bars.svg", "bars.svg"),
     ("netloft study sobol ropes --at cells=20 --output more.svg; ls more.svg", "more.svg"),
     (f"netloft calibrate calibration.toml {COMMON}", '"variables"'),
+    (f"netloft optimise optimum.toml {COMMON} -o best; ls best/scene.toml best/history.svg", "best/scene.toml"),
+    ("netloft optimise optimum.toml --output again; netloft run again/scene.toml -o best.hdf", "written to best.hdf"),
     ("netloft report rope.hdf --json", '"sag_z"'),
     ("netloft report rope.hdf --csv", "sag_z"),
     ("netloft report rope.hdf --output rope-report.html; ls rope-report.html", "rope-report.html"),
@@ -137,6 +139,8 @@ class Flags(unittest.TestCase):
         (cls.folder / "calibration.toml").write_text(f'[scenes.one]\nscene = "{ROPE}"\n[variables.density]\n'
                                                      'key = "parts.rope.rope.density"\nrange = [2000, 3000]\n[[measured]]\n'
                                                      'scene = "one"\nfigure = "results/sag_z"\nvalue = -2.9\ndeviation = 0.1\n')
+        (cls.folder / "optimum.toml").write_text(f'scene = "{ROPE}"\n[variables.length]\nkey = "parts.rope.length"\nrange = ["9 m", "11 m"]\n'
+                                                 '[objective]\nminimise = "results/end_tension"\nunit = "N"\n')
         (cls.folder / "trawl.toml").write_text(f'include = ["{library}/scenes/four-panel.toml"]\n')
 
     def type(self, line):

@@ -95,7 +95,7 @@ TEST(Sensitivity, IsTheChangeOfEquilibriaOfATrawl) {
     const double h = 1e-4 * std::abs(effect.number.value);
     const auto beside = [&](double p) {
       auto changes = coarse;
-      changes.push_back(effect.number.to(p).text);
+      changes.push_back(effect.number.to(p).front().text);
       return AtRest("83-112-flume-3.0kn.toml", changes);
     };
     AtRest above = beside(effect.number.value + h), below = beside(effect.number.value - h);
@@ -119,7 +119,7 @@ TEST(Sensitivity, IsTheChangeOfEquilibriaForNumbersOfThePlan) {
     const double h = 1e-5 * effect.number.value;
     const auto figures_at = [&](double p) {
       runs::CaseSource source = trawl.scene.source();
-      source.changes.push_back(effect.number.to(p));
+      formats::append(source.changes, effect.number.to(p));
       runs::PreparedScene beside(std::move(source), test::shipped_plugins());
       EXPECT_EQ(beside.prepare_like(trawl.scene), runs::PreparedScene::State::ready);
       const Solution s =
@@ -180,7 +180,7 @@ TEST(SceneNumbers, AreThoseOfTheTablesThatSayWhatTheSceneIs) {
   EXPECT_FALSE(has("analysis.tolerance"));
   EXPECT_EQ(rope.numbers({"parts.rope.length"}).at(0).unit, "m");
   EXPECT_EQ(rope.numbers({"parts.rope.sketch[1]"}).size(), 3u);
-  EXPECT_EQ(rope.numbers({"parts.rope.length"}).at(0).to(10.5).text, "parts.rope.length=\"10.5 m\"");
+  EXPECT_EQ(rope.numbers({"parts.rope.length"}).at(0).to(10.5).front().text, "parts.rope.length=\"10.5 m\"");
 }
 
 // The twine of a panel is that of the catalogue, which the plan names.

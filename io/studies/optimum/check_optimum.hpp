@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/registry/registry.hpp"
+#include "io/studies/optimum/optimum_file.hpp"
+#include "solvers/fitting/optimum/optimum.hpp"
+
+#include <functional>
+
+namespace netloft::studies {
+
+/// A file for `netloft optimise` whose names and numbers were compared with its scene.
+struct CheckedOptimum {
+  OptimumProblem problem;  // in the units of the variables and the figures
+  std::vector<std::string> figures,
+      units;                    // the objective and the constraints: their figures, and units of these
+  double objective_factor = 1;  // the objective in the unit of the file, per unit of its figure
+  std::string inputs;           // hash of all that determines the figures at a point
+  bool refused = false;         // true: a plugin is missing or was rejected
+};
+
+/// Opens the scene, and opens it again with each variable at its start, a little beside that, and at both
+/// ends of its range. Errors are reported in the file: wrong keys, values, figures and units, and variables
+/// that cannot change continuously, because the mesh changes with them. `on_budget` receives the processor
+/// time allowed for the figures of the scene [s].
+CheckedOptimum check_optimum(const OptimumFile& file, const std::filesystem::path& folder, Registry& registry,
+                             formats::Diagnostics& diagnostics,
+                             const std::function<void(double)>& on_budget = {});
+
+}  // namespace netloft::studies

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/studies/sweep/record.hpp"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace netloft::studies {
+
+/// The figures of a scene at one point, which is a value of each variable.
+struct KnownPoint {
+  std::vector<double> parameters;
+  std::string reason;                                      // why there is no equilibrium; empty: there is one
+  std::vector<StudyFigure> figures;                        // all figures at the equilibrium
+  std::map<std::string, std::vector<double>> slopes = {};  // derivatives of figures, by their names
+};
+
+/// The points of an optimisation in a file of JSON lines, so that an interrupted or killed program solves no
+/// point twice. A line belongs to the scene, the values and the version of the program that its hash
+/// `inputs` covers; lines of other inputs are kept, and so are damaged ones, which count as unknown.
+class PointHistory {
+ public:
+  /// Reads the file, if there is one. Throws formats::ReadError.
+  PointHistory(std::filesystem::path file, std::string inputs);
+  /// nullptr: nothing is known there.
+  const KnownPoint* find(const std::vector<double>& parameters) const;
+  /// Stores a point instead of what was known there, and writes the file. Throws formats::WriteError.
+  void store(KnownPoint point);
+
+ private:
+  std::filesystem::path file_;
+  std::string inputs_, others_;  // hash; lines that belong to other inputs
+  std::vector<KnownPoint> points_;
+};
+
+}  // namespace netloft::studies

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/studies/optimum/scene_optimum.hpp"
+
+#include "framework/balance/statistics.hpp"
+#include "io/formats/toml/document.hpp"
+#include "io/formats/toml/spelled_value.hpp"
+#include "io/formats/work/long_work.hpp"
+#include "io/gears/catalogue/part_choice.hpp"
+#include "io/runs/equilibrium.hpp"
+#include "io/runs/tangent.hpp"
+#include "io/studies/sensitivity/sensitivity.hpp"
+#include "io/studies/sweep/path_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::studies {
+
+namespace {
+
+constexpr int kIterationsFromAccepted = 30;  // limit of iterations from the equilibrium before
+
+/// Changes "path=value" that give the variables these values.
+std::vector<std::string> words_of(const OptimumFile& file, const std::vector<double>& parameters) {
+  std::vector<std::string> words;
+  for (std::size_t v = 0; v < parameters.size(); ++v) {
+    const Variable& variable = file.variables[v].variable;
+    for (auto& word : variable.overrides(variable.value_of(parameters[v]))) words.push_back(std::move(word));
+  }
+  return words;
+}
+
+/// The figures of the objective and the constraints as a model of the variables.
+class FiguresModel : public Model {
+ public:
+  FiguresModel(const OptimumFile& file, const CheckedOptimum& checked, const std::filesystem::path& folder,
+               Registry& registry, PointHistory& history, const runs::Watch& watch)
+      : file_(file),
+        checked_(checked),
+        source_(folder / file.scene, file.set),
+        registry_(registry),
+        history_(history),
+        watch_(watch) {}
+
+  bool is_interrupted() const override { return watch_.interrupt && watch_.interrupt->load(); }
+  int solves() const { return solves_; }
+  const std::string& trouble() const { return trouble_; }
+
+  std::optional<std::vector<double>> predict(const std::vector<double>& p) override {
+    if (!history_.find(p) && (!restore() || !solve(p))) return std::nullopt;
+    const KnownPoint& known = *history_.find(p);
+    trouble_ = known.reason;
+    std::vector<double> values;
+    for (const std::string& name : checked_.figures) {
+      const auto at = std::ranges::find(known.figures, name, &StudyFigure::name);
+      if (at != known.figures.end() && std::isfinite(at->value)) values.push_back(at->value);
+    }
+    if (known.reason.empty() && values.size() < checked_.figures.size())
+      trouble_ = "a figure has no value there";
+    return values.size() == checked_.figures.size() ? std::optional(std::move(values)) : std::nullopt;
+  }
+
+  std::optional<std::vector<std::vector<double>>> slopes(const std::vector<double>& p) override {
+    accepted_ = p;
+    const auto is_known = [&] {
+      return std::ranges::all_of(checked_.figures,
+                                 [&](const auto& name) { return history_.find(p)->slopes.contains(name); });
+    };
+    if (!is_known() && (!restore() || !differentiate() || !is_known())) return std::nullopt;
+    std::vector<std::vector<double>> rows;
+    for (const std::string& name : checked_.figures) rows.push_back(history_.find(p)->slopes.at(name));
+    return rows;
+  }
+
+ private:
+  /// An equilibrium, from which others are sought.
+  struct Solved {
+    std::vector<double> parameters;
+    std::unique_ptr<runs::PreparedScene> scene;
+    Solution solution;
+    std::unique_ptr<runs::Tangent> tangent;
+  };
+
+  /// Provides the equilibrium at the point that was accepted last: it was solved just before, or the history
+  /// had it.
+  bool restore() {
+    if (accepted_.empty() || base_.parameters == accepted_) return true;
+    if (last_.parameters != accepted_ && !solve(accepted_)) return false;
+    if (last_.solution.status != SolveStatus::converged) {
+      trouble_ = "the equilibrium of the history is not found again: " + last_.solution.reason;
+      return false;
+    }
+    base_ = std::move(last_);
+    last_ = {};
+    base_.tangent = std::make_unique<runs::Tangent>(*base_.scene, base_.solution.x);
+    return true;
+  }
+
+  /// Finds the equilibrium at a point, and stores what is known then. Returns false after an interruption.
+  bool solve(const std::vector<double>& p) try {
+    last_ = {p, nullptr, {}, nullptr};
+    KnownPoint known{p, {}, {}};
+    runs::CaseSource source = source_;
+    formats::append(source.changes, formats::read_changes(words_of(file_, p)));
+    last_.scene = std::make_unique<runs::PreparedScene>(
+        std::move(source), registry_, base_.scene ? base_.scene->factorisations() : nullptr);
+    // The mesh keeps its topology, so that figures are smooth functions of counts and mesh sizes.
+    const auto state = base_.scene ? last_.scene->prepare_like(*base_.scene) : last_.scene->prepare();
+    if (state != runs::PreparedScene::State::ready) {
+      known.reason = first_fault(last_.scene->diagnostics());
+    } else {
+      ++solves_;
+      last_.solution = find();
+      if (is_interrupted()) return false;
+      if (last_.solution.status == SolveStatus::converged)
+        known.figures = figures_of(*last_.scene, last_.solution);
+      else
+        known.reason = std::string(name_of(last_.solution.status)) + ": " + last_.solution.reason;
+    }
+    if (!history_.find(p)) history_.store(std::move(known));
+    return true;
+  } catch (const formats::Interrupted&) {
+    return false;
+  }
+
+  /// Seeks the equilibrium of the last scene, from that of the accepted point if their meshes are equal.
+  Solution find() {
+    if (!base_.scene || !runs::have_same_topology(*base_.scene, *last_.scene))
+      return runs::find_equilibrium(*last_.scene, watch_);
+    std::vector<double> x = base_.solution.x;
+    if (const auto change = base_.tangent->towards(*last_.scene))
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += (*change)[i];
+    return runs::continue_equilibrium(*last_.scene, last_.scene->assembler().displacements_to(x),
+                                      kIterationsFromAccepted, watch_);
+  }
+
+  /// Finds the derivatives at the accepted point, and stores them.
+  bool differentiate() {
+    SensitivityRequest request{.figures = {}, .numbers = {}, .interrupt = watch_.interrupt};
+    for (const std::string& name : checked_.figures)
+      request.figures.push_back({.name = name.substr(name.find('/') + 1)});
+    for (std::size_t v = 0; v < accepted_.size(); ++v) {
+      const Variable& variable = file_.variables[v].variable;
+      request.numbers.push_back({variable.name, accepted_[v], variable.unit, variable.keys});
+    }
+    const Sensitivities found = find_sensitivities(*base_.scene, base_.solution, request);
+    if (found.is_interrupted) return false;
+    KnownPoint known = *history_.find(accepted_);
+    for (std::size_t f = 0; f < checked_.figures.size(); ++f) {
+      std::vector<double> row;
+      for (const NumberEffect& effect : found.effects) {
+        if (!effect.why_not.empty()) return trouble_ = effect.number.path + ": " + effect.why_not, false;
+        row.push_back(effect.per_unit[f]);
+      }
+      if (std::ranges::any_of(row, [](double slope) { return !std::isfinite(slope); }))
+        return trouble_ = checked_.figures[f] + " has no derivatives there", false;
+      known.slopes[checked_.figures[f]] = std::move(row);
+    }
+    history_.store(std::move(known));
+    return true;
+  }
+
+  const OptimumFile& file_;
+  const CheckedOptimum& checked_;
+  runs::CaseSource source_;
+  Registry& registry_;
+  PointHistory& history_;
+  const runs::Watch& watch_;
+  std::vector<double> accepted_;  // the point that the search accepted last
+  Solved base_, last_;            // the equilibrium there, and the last that was sought
+  int solves_ = 0;
+  std::string trouble_;
+};
+
+std::vector<StudyFigure> figures_at(const PointHistory& history, const std::vector<double>& parameters) {
+  const KnownPoint* known = history.find(parameters);
+  return known ? known->figures : std::vector<StudyFigure>{};
+}
+
+/// Writes the keys of `changed` that differ from `base` as lines of TOML.
+void write_changes(const formats::Value* base, const formats::Value& changed, const std::string& path,
+                   std::string& text) {
+  if (base && *base == changed) return;
+  const auto *table = changed.as<formats::Table>(), *before = base ? base->as<formats::Table>() : nullptr;
+  if (table && before) {
+    for (const formats::Member& member : table->members) {
+      const formats::Member* old = before->find(member.key);
+      write_changes(old ? &old->value : nullptr, member.value, formats::join_path(path, member.key), text);
+    }
+    return;
+  }
+  const std::string item = formats::spell_value({{}, formats::Array{{changed}}});  // texts with quotes
+  text += path + " = " + item.substr(1, item.size() - 2) + "\n";
+}
+
+}  // namespace
+
+std::vector<std::string> overrides_of(const OptimumFile& file, const std::vector<double>& parameters) {
+  std::vector<std::string> words = file.set;
+  for (auto& word : words_of(file, parameters)) words.push_back(std::move(word));
+  return words;
+}
+
+SceneOptimum optimise_scene(OptimumFile file, CheckedOptimum checked, const std::filesystem::path& folder,
+                            Registry& registry, PointHistory& history, const runs::Watch& watch,
+                            const std::function<void(const OptimumPoint&)>& on_point) {
+  SceneOptimum done;
+  done.file = std::move(file);
+  done.checked = std::move(checked);
+  const double before = cpu_seconds();
+  FiguresModel model(done.file, done.checked, folder, registry, history, watch);
+  done.found = optimise(model, done.checked.problem, {.evaluations = done.file.solves}, on_point);
+  done.cpu_seconds = cpu_seconds() - before;
+  done.solves = model.solves();
+  done.is_interrupted = model.is_interrupted() && !done.found.converged;
+  if (!done.found.converged) done.trouble = model.trouble();
+  done.before = figures_at(history, done.checked.problem.start);
+  done.after = figures_at(history, done.found.best.parameters);
+  return done;
+}
+
+std::string scene_text(const SceneOptimum& optimum, const std::filesystem::path& folder,
+                       const std::filesystem::path& place) {
+  namespace fs = std::filesystem;
+  const fs::path scene = folder / optimum.file.scene;
+  formats::Diagnostics unheard;  // errors were reported when the scene was opened
+  const formats::Value base = formats::Document::load(scene, {}, unheard).root();
+  formats::Value changed = base;
+  for (const auto& change : formats::read_changes(overrides_of(optimum.file, optimum.found.best.parameters)))
+    formats::apply(changed, change, unheard, gears::keys_that_name_parts());
+  const std::string path = fs::proximate(fs::absolute(scene), fs::absolute(place)).string();
+  std::string text = "# The scene at the best point that netloft optimise found for " + optimum.file.name +
+                     ".\ninclude = " + formats::spell_value({{}, formats::Array{{{{}, path}}}}) + "\n\n";
+  write_changes(&base, changed, "", text);
+  return text;
+}
+
+}  // namespace netloft::studies

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/formats/svg/plot.hpp"
+#include "io/runs/watch.hpp"
+#include "io/studies/optimum/check_optimum.hpp"
+#include "io/studies/optimum/point_history.hpp"
+
+namespace netloft::studies {
+
+/// The answer of `netloft optimise`.
+struct SceneOptimum {
+  OptimumFile file;
+  CheckedOptimum checked;
+  Optimum found;                           // in the units of the variables and of the figures
+  std::vector<StudyFigure> before, after;  // all figures at the start and at the best point; empty: unknown
+  int solves = 0;                          // equilibria that were sought; further ones stood in the history
+  double cpu_seconds = 0;
+  bool is_interrupted = false;
+  std::string trouble;  // why the last failed point has no equilibrium
+
+  /// "optimal", "interrupted", "infeasible" (no point satisfies all constraints) or "not converged".
+  std::string status() const;
+};
+
+/// Finds the values of the variables at which the objective is best. Every equilibrium is sought from the
+/// last point that the search accepted, whose shape is first moved by its derivatives (runs::Tangent). Points
+/// in `history` are not solved again. Throws formats::WriteError.
+SceneOptimum optimise_scene(OptimumFile file, CheckedOptimum checked, const std::filesystem::path& folder,
+                            Registry& registry, PointHistory& history, const runs::Watch& watch,
+                            const std::function<void(const OptimumPoint&)>& on_point = {});
+
+/// Arguments of `--set` that give the scene these values.
+std::vector<std::string> overrides_of(const OptimumFile& file, const std::vector<double>& parameters);
+
+/// A scene file that includes the scene of `file`, found in `folder`, and changes it to the best values.
+/// `place` is the folder in which the text will be stored.
+std::string scene_text(const SceneOptimum& optimum, const std::filesystem::path& folder,
+                       const std::filesystem::path& place);
+
+/// The report as text, and as one JSON object.
+std::string optimum_text(const SceneOptimum& optimum);
+std::string optimum_json(const SceneOptimum& optimum);
+/// The objective over the solves, relative to its value at the start.
+formats::LinePlot optimum_plot(const SceneOptimum& optimum);
+
+}  // namespace netloft::studies
