@@ -36,7 +36,7 @@ class OptimumInspection {
   }
 
   CheckedOptimum inspect() {
-    const auto scene = open({});
+    const auto scene = open({}, file_.scene_place);
     if (!scene) return std::move(checked_);
     if (scene->loaded().analysis.kind == AnalysisKind::dynamics)
       diagnostics_.error(file_.scene_place, "the scene is a motion, but an optimum is an equilibrium",
@@ -71,9 +71,11 @@ class OptimumInspection {
     return state == runs::PreparedScene::State::ready ? scene : nullptr;
   }
 
-  std::shared_ptr<runs::PreparedScene> open(const std::vector<formats::Change>& changes) {
+  /// The same, but reports faults, those that no key of the file causes at `place`.
+  std::shared_ptr<runs::PreparedScene> open(const std::vector<formats::Change>& changes,
+                                            const formats::Place& place) {
     const auto scene = try_open(changes);
-    if (!scene || changes.empty()) hand_on_faults(scene_faults_, places_, file_.scene_place, diagnostics_);
+    if (!scene || changes.empty()) hand_on_faults(scene_faults_, places_, place, diagnostics_);
     return scene;
   }
 
@@ -148,12 +150,12 @@ class OptimumInspection {
                                 "widen the range, or say where the search begins: start = \"" +
                                     formats::format(low, v.variable.unit) + "\"");
     const auto at = [&](double number) { return v.variable.changes(v.variable.value_of(number)); };
-    const auto here = open(at(*start));
+    const auto here = open(at(*start), v.variable.place);
     if (!here) return;
     const double step = kLittle * (high - low) * (*start < (low + high) / 2 ? 1 : -1);
     const auto beside = try_open(at(*start + step), here.get());
     if (beside && runs::have_same_topology(*here, *beside)) {
-      if (open(at(low))) open(at(high));
+      if (open(at(low), v.variable.place)) open(at(high), v.variable.place);
       return;
     }
     diagnostics_.error(v.variable.place,
