@@ -7,6 +7,7 @@
 #include "io/formats/units/units.hpp"
 #include "io/studies/variables/read_variable.hpp"
 
+#include <cmath>
 #include <map>
 
 namespace netloft::studies {
@@ -43,8 +44,11 @@ class OptimumReader {
     for (const std::string& name : variables.keys()) {
       const int errors = root_.diagnostics().errors();
       formats::TableReader table = variables.table(name, formats::Presence::required, "key and range");
-      OptimumVariable read{read_variable(name, table, VariedBy::interval), {}};
-      if (table.has("start") && read.variable.interval) read_start(read, table);
+      OptimumVariable read{read_variable(name, table, VariedBy::interval)};
+      const bool has_start = table.has("start"),
+                 has_step = table.has("step");  // known keys after errors, too
+      if (has_start && read.variable.interval) read_start(read, table);
+      if (has_step && read.variable.interval) read_step(read, table);
       for (const FollowingKey& key : read.variable.keys)
         if (const auto [owner, is_new] = owners.emplace(key.path, name); !is_new)
           root_.diagnostics().error(table.place(), key.path + " is varied by " + owner->second + " already");
@@ -59,6 +63,13 @@ class OptimumReader {
     read.start = read_number_of(read.variable, table, "start", "where the search begins");
     if (read.start && !read.variable.interval->contains(*read.start))
       table.error("start", "lies outside the range");
+  }
+
+  static void read_step(OptimumVariable& read, formats::TableReader& table) {
+    read.step = read_number_of(read.variable, table, "step", "the answer is a whole multiple of it");
+    const auto [low, high] = *read.variable.interval;
+    if (read.step && !(*read.step > 0 && *read.step * std::floor(high / *read.step) >= low))
+      table.error("step", "must be above zero, and the range must contain a whole multiple of it");
   }
 
   void read_objective() {

@@ -12,8 +12,9 @@ namespace netloft::studies {
 /// A number of the scene that the optimisation may change within its interval.
 struct OptimumVariable {
   Variable variable;
-  std::optional<double>
-      start;  // where the search begins, in the unit of the variable; nullopt: as in the scene
+  // In the unit of the variable:
+  std::optional<double> start = {};  // where the search begins; nullopt: as in the scene
+  std::optional<double> step = {};   // the answer is a whole multiple of it; nullopt: any number
 };
 
 /// Limits of a figure of the scene. They stay texts until the unit of the figure is known.

@@ -203,6 +203,9 @@ std::string optimum_text(const SceneOptimum& o) {
     fmt::format_to(out, "{:<42} {:>14} {:>14}\n", o.file.maximise ? "maximised" : "minimised", "before",
                    "after");
     write_row(objective, fmt::format("{:+.2f} %", 100 * (objective.after / objective.before - 1)), out);
+    if (o.unrounded)
+      fmt::format_to(out, "  {} before variables were rounded to their steps\n",
+                     shown(o.checked.objective_factor * *o.unrounded, o.file.unit));
     write_rows("constraints", constraint_rows(o), true, out);
     write_rows("variables", variable_rows(o), true, out);
     write_prices(o, out);
@@ -223,6 +226,7 @@ std::string optimum_json(const SceneOptimum& o) {
             {"remainder", finite_json(o.found.best.remainder)},
             {"violation", o.found.best.violation}};
   json["objective"] = rows_json({objective_row(o)})[0];
+  json["objective"]["unrounded"] = o.unrounded ? Json(o.checked.objective_factor * *o.unrounded) : Json();
   json["constraints"] = rows_json(constraint_rows(o));
   json["variables"] = rows_json(variable_rows(o));
   json["figures"] = rows_json(other_rows(o));

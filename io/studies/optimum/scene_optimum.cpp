@@ -11,7 +11,10 @@
 #include "io/studies/sensitivity/sensitivity.hpp"
 #include "io/studies/sweep/path_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace netloft::studies {
@@ -173,6 +176,60 @@ class FiguresModel : public Model {
   std::string trouble_;
 };
 
+/// The two whole multiples of a step between which a number is, the nearest first.
+std::array<double, 2> multiples_beside(double number, double step) {
+  const double nearest = std::round(number / step), other = nearest + (nearest * step < number ? 1 : -1);
+  const auto multiple = [&](double times) { return std::stod(fmt::format("{:.12g}", times * step)); };
+  return {multiple(nearest), multiple(other)};
+}
+
+/// Sets the variables that have a step to whole multiples of it.
+class Rounding {
+ public:
+  using OnPoint = std::function<void(const OptimumPoint&)>;
+  Rounding(SceneOptimum& done, Model& model, const OnPoint& on_point)
+      : done_(done), model_(model), on_point_(on_point), problem_(done.checked.problem) {}
+
+  void run() {
+    for (std::size_t v = 0; v < done_.file.variables.size() && done_.found.converged; ++v)
+      if (done_.file.variables[v].step) round(v);
+  }
+
+ private:
+  void round(std::size_t v) {
+    const OptimumVariable& variable = done_.file.variables[v];
+    const OptimumPoint before = done_.found.best;
+    if (!done_.unrounded) done_.unrounded = before.predictions[0];
+    for (const double multiple : multiples_beside(before.parameters[v], *variable.step)) {
+      if (!variable.variable.interval->contains(multiple)) continue;
+      problem_.start = before.parameters;
+      problem_.start[v] = multiple;
+      problem_.parameters[v] = {multiple, multiple};
+      if (seek() || model_.is_interrupted() || left() <= 0) return;
+    }
+    done_.found.reason = variable.variable.name +
+                         " cannot be a whole multiple of its step: with those beside "
+                         "the optimum, no other values were found that satisfy the constraints";
+  }
+
+  int left() const { return done_.file.solves - static_cast<int>(done_.found.history.size()); }
+
+  /// Seeks the optimum of the problem, and adds its points to the history.
+  bool seek() {
+    std::vector<OptimumPoint> points = std::move(done_.found.history);
+    const int most = std::max(1, done_.file.solves - static_cast<int>(points.size()));
+    done_.found = optimise(model_, problem_, {.evaluations = most}, on_point_);
+    points.insert(points.end(), done_.found.history.begin(), done_.found.history.end());
+    done_.found.history = std::move(points);
+    return done_.found.converged;
+  }
+
+  SceneOptimum& done_;
+  Model& model_;
+  const OnPoint& on_point_;
+  OptimumProblem problem_;  // fixes the variables that were rounded
+};
+
 std::vector<StudyFigure> figures_at(const PointHistory& history, const std::vector<double>& parameters) {
   const KnownPoint* known = history.find(parameters);
   return known ? known->figures : std::vector<StudyFigure>{};
@@ -211,6 +268,7 @@ SceneOptimum optimise_scene(OptimumFile file, CheckedOptimum checked, const std:
   const double before = cpu_seconds();
   FiguresModel model(done.file, done.checked, folder, registry, history, watch);
   done.found = optimise(model, done.checked.problem, {.evaluations = done.file.solves}, on_point);
+  Rounding(done, model, on_point).run();
   done.cpu_seconds = cpu_seconds() - before;
   done.solves = model.solves();
   done.is_interrupted = model.is_interrupted() && !done.found.converged;

@@ -11,7 +11,9 @@ namespace netloft::studies {
 struct SceneOptimum {
   OptimumFile file;
   CheckedOptimum checked;
-  Optimum found;                           // in the units of the variables and of the figures
+  Optimum found;  // in the units of the variables and of the figures
+  /// The best objective before variables were set to multiples of their steps; nullopt: none was set.
+  std::optional<double> unrounded;
   std::vector<StudyFigure> before, after;  // all figures at the start and at the best point; empty: unknown
   int solves = 0;                          // equilibria that were sought; further ones stood in the history
   double cpu_seconds = 0;
@@ -24,7 +26,9 @@ struct SceneOptimum {
 
 /// Finds the values of the variables at which the objective is best. Every equilibrium is sought from the
 /// last point that the search accepted, whose shape is first moved by its derivatives (runs::Tangent). Points
-/// in `history` are not solved again. Throws formats::WriteError.
+/// in `history` are not solved again. After that, variables that have a step are set to a whole multiple of
+/// it one by one, the nearest or else the one on the other side, and the others are sought again. Throws
+/// formats::WriteError.
 SceneOptimum optimise_scene(OptimumFile file, CheckedOptimum checked, const std::filesystem::path& folder,
                             Registry& registry, PointHistory& history, const runs::Watch& watch,
                             const std::function<void(const OptimumPoint&)>& on_point = {});

@@ -111,9 +111,9 @@ class Search {
   }
 
   bool begin() {
-    const Vector z = (vector_of(problem_.start) - low_).cwiseQuotient(range_);
     Local first;
-    first.z = z.cwiseMax(0).cwiseMin(1);
+    first.z = (vector_of(problem_.start) - low_).cwiseQuotient(range_).cwiseMax(0).cwiseMin(1);
+    first.z = (range_.array() > 0).select(first.z, 0);
     first.point.parameters = problem_.start;
     const auto predictions = model_.predict(problem_.start);
     if (!predictions) {

@@ -16,7 +16,7 @@ struct Bounds {
 /// Minimise f_0(θ) with  low ≤ θ ≤ high  and  low_j ≤ f_j(θ) ≤ high_j,  j = 1, 2, …                 (1)
 struct OptimumProblem {
   std::vector<double> start;        // θ at which the search begins
-  std::vector<Bounds> parameters;   // limits of θ, which are finite
+  std::vector<Bounds> parameters;   // limits of θ, which are finite; equal limits fix a parameter
   std::vector<Bounds> constraints;  // limits of f_1, f_2, …; equal limits are an equation
   bool maximise = false;            // whether f_0 is maximised instead
 };

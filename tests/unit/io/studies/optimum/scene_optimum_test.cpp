@@ -90,6 +90,21 @@ TEST_F(SceneOptimumTest, FindsThePriceOfASag) {
       << text;
 }
 
+// The nearest multiple of 0.1 m, 8.8 m, sags too much.
+TEST_F(SceneOptimumTest, RoundsToMultiplesThatSatisfyTheConstraints) {
+  const SceneOptimum done = optimise(replaced(kRope, "start =", "step = \"10 cm\"\nstart ="));
+  ASSERT_EQ(done.status(), "optimal") << done.found.reason;
+  EXPECT_EQ(done.found.best.parameters[0], 8.7);
+  EXPECT_GT(done.found.best.predictions[0], 6.0182);
+  ASSERT_TRUE(done.unrounded);
+  EXPECT_NEAR(*done.unrounded, 6.018188224, 1e-6);
+  EXPECT_NE(optimum_text(done).find("6018.2 mN before variables were rounded"), std::string::npos)
+      << optimum_text(done);
+  EXPECT_EQ(
+      errors_of(replaced(kRope, "start =", "step = \"15 m\"\nstart =")),
+      "6:8: variables.length.step: must be above zero, and the range must contain a whole multiple of it\n");
+}
+
 TEST_F(SceneOptimumTest, WritesAScene) {
   const SceneOptimum done = optimise(kRope);
   const auto path = write("best.toml", scene_text(done, folder_, folder_));
