@@ -124,7 +124,17 @@ std::optional<Numbers> numbers_at(const scenes::LoadedScene& loaded, Assembler& 
     return {};
   const Response answer = ask_elements(loaded.scene, assembler, there.x, motion);
   return Numbers{find_scalars(loaded, assembler, there, answer.outputs),
-                 find_figures(loaded, assembler, answer)};
+                 find_figures(loaded, assembler, answer),
+                 reactions_of(find_hold_forces(loaded, assembler, there.residual))};
+}
+
+std::vector<NamedScalar> reactions_of(const std::vector<HoldForce>& holds) {
+  std::vector<NamedScalar> reactions;
+  for (const HoldForce& hold : holds)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      reactions.push_back(
+          {"held/" + hold.name + "/" + "xyz"[axis], "N", "force of a hold on the gear", hold.force[axis]});
+  return reactions;
 }
 
 Result describe_scene(const scenes::LoadedScene& loaded, const Assembler& assembler) {

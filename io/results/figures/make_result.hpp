@@ -23,8 +23,11 @@ std::vector<NamedScalar> find_scalars(const scenes::LoadedScene& loaded, const A
 
 /// All numbers of a scene at one set of positions.
 struct Numbers {
-  std::vector<NamedScalar> scalars, figures;
+  std::vector<NamedScalar> scalars, figures, reactions;
 };
+
+/// The components of the forces of holds: "held/towing-point/x" [N].
+std::vector<NamedScalar> reactions_of(const std::vector<HoldForce>& holds);
 
 /// The numbers at the positions of the solution `there`; nullopt if the solution has no positions, or if
 /// forces cannot be evaluated there.

@@ -4,23 +4,29 @@
 #include "io/runs/equilibrium.hpp"
 #include "io/runs/tangent.hpp"
 
+#include "io/studies/sensitivity/sensitivity.hpp"
 #include "io/studies/sweep/path_run.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace netloft::studies {
 
 namespace {
 
 constexpr int kIterations = 30;  // limit of iterations from the previous equilibrium, before a new search
-// The step of finite differences, as a fraction of the standard deviation of the parameter before the
-// calibration. It is large against the noise of solves, and so small that curvature does not matter.
-constexpr double kStep = 0.1;
 
 double figure_named(const std::vector<StudyFigure>& figures, const std::string& name) {
   const auto at = std::find_if(figures.begin(), figures.end(), [&](const auto& f) { return f.name == name; });
   return at == figures.end() ? std::numeric_limits<double>::quiet_NaN() : at->value;
+}
+
+/// The name of a figure of a study, such as "gear/mouth/headline_height", in the result of a run.
+std::string name_in_result(const std::string& figure) {
+  for (const std::string_view group : {"results/", "gear/"})
+    if (figure.starts_with(group)) return figure.substr(group.size());
+  return figure;
 }
 
 bool all_finite(const std::vector<double>& numbers) {
@@ -32,8 +38,9 @@ bool all_finite(const std::vector<double>& numbers) {
 /// A solved scene, from which the next solve starts.
 struct SceneModel::Solved {
   std::unique_ptr<runs::PreparedScene> prepared;
-  std::vector<double> x;  // positions over all degrees of freedom [m]
-  bool is_stable = true;
+  std::vector<double> parameters;
+  Solution solution;
+  bool is_stable() const { return !prepared || solution.status == SolveStatus::converged; }
 };
 
 namespace {
@@ -77,14 +84,14 @@ SceneModel::~SceneModel() = default;
 std::vector<std::string> SceneModel::unstable() const {
   std::vector<std::string> names;
   for (std::size_t s = 0; s < last_.size(); ++s)
-    if (!last_[s].is_stable) names.push_back(file_.scenes[s].name);
+    if (!last_[s].is_stable()) names.push_back(file_.scenes[s].name);
   return names;
 }
 
-/// The measured figures of one scene, in the order of the file. `from` is its previous solution.
+/// The measured figures of one scene, in the order of the file.
 std::optional<std::vector<double>> SceneModel::figures(std::size_t scene,
-                                                       const std::vector<double>& parameters, Solved& from,
-                                                       bool keep) try {
+                                                       const std::vector<double>& parameters) try {
+  Solved& from = last_[scene];
   runs::CaseSource source = sources_[scene];
   formats::append(source.changes, formats::read_changes(values_of(file_, scene, parameters)));
   auto prepared = std::make_unique<runs::PreparedScene>(std::move(source), registry_);
@@ -94,8 +101,8 @@ std::optional<std::vector<double>> SceneModel::figures(std::size_t scene,
   Solution found;
   ++solves_;
   if (from.prepared && runs::have_same_topology(*prepared, *from.prepared))
-    found = runs::continue_equilibrium(*prepared, prepared->assembler().displacements_to(from.x), kIterations,
-                                       watch_);
+    found = runs::continue_equilibrium(*prepared, prepared->assembler().displacements_to(from.solution.x),
+                                       kIterations, watch_);
   if (!is_stationary(found)) found = runs::find_equilibrium(*prepared, watch_);
   if (on_solve_) on_solve_(static_cast<std::size_t>(solves_), file_.scenes[scene].name);
   if (!is_stationary(found))
@@ -105,7 +112,7 @@ std::optional<std::vector<double>> SceneModel::figures(std::size_t scene,
   for (const MeasuredFigure& m : file_.measured)
     if (m.scene == scene) figures.push_back(figure_named(all, m.figure));
   if (!all_finite(figures)) return trouble_ += "a figure has no value there", std::nullopt;
-  if (keep) from = {std::move(prepared), found.x, found.status == SolveStatus::converged};
+  from = {std::move(prepared), parameters, std::move(found)};
   return figures;
 } catch (const formats::Interrupted&) {
   return std::nullopt;
@@ -115,7 +122,7 @@ std::optional<std::vector<double>> SceneModel::predict(const std::vector<double>
   std::vector<std::vector<double>> of_scene;
   for (std::size_t s = 0; s < file_.scenes.size(); ++s) {
     if (is_interrupted()) return std::nullopt;
-    auto found = figures(s, parameters, last_[s], true);
+    auto found = figures(s, parameters);
     if (!found) return std::nullopt;
     of_scene.push_back(std::move(*found));
   }
@@ -125,31 +132,41 @@ std::optional<std::vector<double>> SceneModel::predict(const std::vector<double>
   return predicted;
 }
 
-double SceneModel::step_to(std::size_t variable, double from, int side) const {
-  const CalibrationVariable& v = file_.variables[variable];
-  return std::clamp(from + side * kStep * v.prior_deviation(), v.variable.interval->low,
-                    v.variable.interval->high);
-}
-
 std::optional<std::vector<std::vector<double>>> SceneModel::slopes(const std::vector<double>& parameters) {
   std::vector<std::vector<double>> rows(file_.measured.size(), std::vector<double>(parameters.size(), 0.0));
-  for (std::size_t v = 0; v < parameters.size(); ++v)
-    for (const std::size_t scene : file_.variables[v].scenes) {
-      if (is_interrupted()) return std::nullopt;
-      std::vector<double> left = parameters, right = parameters;
-      left[v] = step_to(v, parameters[v], -1);
-      right[v] = step_to(v, parameters[v], 1);
-      const auto below = figures(scene, left, last_[scene], false),
-                 above = figures(scene, right, last_[scene], false);
-      if (!below || !above) return std::nullopt;
-      std::size_t next = 0;
-      for (std::size_t m = 0; m < file_.measured.size(); ++m) {
-        if (file_.measured[m].scene != scene) continue;
-        rows[m][v] = ((*above)[next] - (*below)[next]) / (right[v] - left[v]);
-        ++next;
-      }
-    }
+  for (std::size_t s = 0; s < file_.scenes.size(); ++s)
+    if (is_interrupted() || !add_slopes(s, parameters, rows)) return std::nullopt;
   return rows;
+}
+
+/// Adds the derivatives of the measured figures of one scene with respect to its variables. Returns false if
+/// there are none.
+bool SceneModel::add_slopes(std::size_t scene, const std::vector<double>& parameters,
+                            std::vector<std::vector<double>>& rows) {
+  if (last_[scene].parameters != parameters && !figures(scene, parameters)) return false;
+  SensitivityRequest request{.figures = {}, .numbers = {}, .interrupt = watch_.interrupt};
+  std::vector<std::size_t> of_row, of_column;
+  for (std::size_t m = 0; m < rows.size(); ++m)
+    if (file_.measured[m].scene == scene) {
+      request.figures.push_back({.name = name_in_result(file_.measured[m].figure)});
+      of_row.push_back(m);
+    }
+  for (std::size_t v = 0; v < parameters.size(); ++v)
+    if (std::ranges::count(file_.variables[v].scenes, scene) > 0) {
+      const Variable& variable = file_.variables[v].variable;
+      request.numbers.push_back({variable.name, parameters[v], variable.unit, variable.keys});
+      of_column.push_back(v);
+    }
+  const Sensitivities found = find_sensitivities(*last_[scene].prepared, last_[scene].solution, request);
+  if (found.is_interrupted) return false;
+  trouble_ = file_.scenes[scene].name + ": ";
+  for (std::size_t n = 0; n < found.effects.size(); ++n) {
+    const NumberEffect& effect = found.effects[n];
+    if (!effect.why_not.empty()) return trouble_ += effect.number.path + ": " + effect.why_not, false;
+    if (!all_finite(effect.per_unit)) return trouble_ += "a figure has no derivatives there", false;
+    for (std::size_t f = 0; f < of_row.size(); ++f) rows[of_row[f]][of_column[n]] = effect.per_unit[f];
+  }
+  return true;
 }
 
 }  // namespace netloft::studies

@@ -11,8 +11,8 @@ namespace netloft::studies {
 using OnSolve = std::function<void(std::size_t solves, const std::string& scene)>;
 
 /// Predicts the measured figures with the scenes of a calibration. A scene is solved from its previous
-/// equilibrium, or by a new search if that fails. Slopes are central differences: the parameter changes by a
-/// tenth of its prior deviation to either side, but not beyond its interval.
+/// equilibrium, or by a new search if that fails. Slopes are derivatives at its equilibrium
+/// (sensitivity.hpp).
 class SceneModel : public Model {
  public:
   /// Requires a `file` that was checked (check_calibration). Paths of scenes are relative to `folder`.
@@ -32,9 +32,9 @@ class SceneModel : public Model {
 
  private:
   struct Solved;
-  std::optional<std::vector<double>> figures(std::size_t scene, const std::vector<double>& parameters,
-                                             Solved& from, bool keep);
-  double step_to(std::size_t variable, double from, int side) const;
+  std::optional<std::vector<double>> figures(std::size_t scene, const std::vector<double>& parameters);
+  bool add_slopes(std::size_t scene, const std::vector<double>& parameters,
+                  std::vector<std::vector<double>>& rows);
 
   const CalibrationFile& file_;
   std::filesystem::path folder_;

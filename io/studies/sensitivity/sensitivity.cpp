@@ -25,10 +25,10 @@ constexpr double kShortStep = 1e-6;
 /// The long step as a multiple of h.
 constexpr double kLongStep = 1000;
 
-std::vector<results::NamedScalar> joined(std::vector<results::NamedScalar> a,
-                                         const std::vector<results::NamedScalar>& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
+std::vector<results::NamedScalar> joined(std::initializer_list<std::vector<results::NamedScalar>> lists) {
+  std::vector<results::NamedScalar> all;
+  for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
 }
 
 /// The scenes at p − h and p + h, or why there are none. At an end of the range of the number, the scene
@@ -87,7 +87,7 @@ class Sensitivity {
     Solution there;
     there.x = std::move(x);
     const auto numbers = results::numbers_at(scene.loaded(), scene.assembler(), std::move(there));
-    return numbers ? joined(numbers->scalars, numbers->figures) : Figures{};
+    return numbers ? joined({numbers->scalars, numbers->figures, numbers->reactions}) : Figures{};
   }
 
   /// The derivatives by the long step, between positions that are predicted from the change over a short
@@ -167,7 +167,7 @@ Sensitivities find_sensitivities(runs::PreparedScene& scene, const Solution& sol
 }
 
 std::vector<results::NamedScalar> all_figures(const results::Result& result) {
-  return joined(result.scalars, result.figures);
+  return joined({result.scalars, result.figures, results::reactions_of(result.hold_forces)});
 }
 
 std::vector<std::size_t> chosen_figures(const results::Result& result,

@@ -21,7 +21,7 @@ struct NumberEffect {
 };
 
 struct Sensitivities {
-  std::vector<results::NamedScalar> figures;  // [results] of the scene, then the figures of the gear
+  std::vector<results::NamedScalar> figures;  // [results] of the scene, figures of the gear, forces of holds
   std::vector<NumberEffect> effects;
   bool is_interrupted = false;  // the effects of further numbers are missing
 };
@@ -56,7 +56,7 @@ struct SensitivityRequest {
 Sensitivities find_sensitivities(runs::PreparedScene& scene, const Solution& solution,
                                  const SensitivityRequest& request);
 
-/// The [results] of a scene, then the figures of its gear.
+/// The [results] of a scene, the figures of its gear, and the forces of its holds.
 std::vector<results::NamedScalar> all_figures(const results::Result& result);
 
 /// The positions in all_figures() of those that `names` name: each is a name, or a group such as "mouth". The

@@ -152,9 +152,8 @@ std::vector<StudyFigure> figures_of(runs::PreparedScene& scene, const Solution& 
   for (const results::NamedScalar& s : result.scalars)
     figures.push_back({"results/" + s.name, s.unit, s.value});
   for (const results::NamedScalar& s : result.figures) figures.push_back({"gear/" + s.name, s.unit, s.value});
-  for (const results::HoldForce& hold : result.hold_forces)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      figures.push_back({"held/" + hold.name + "/" + "xyz"[axis], "N", hold.force[axis]});
+  for (const results::NamedScalar& s : results::reactions_of(result.hold_forces))
+    figures.push_back({s.name, s.unit, s.value});
   return figures;
 }
 
