@@ -22,7 +22,7 @@ class Placement {
   const Numbering& numbering() const { return numbering_; }
 
   /// Computes the positions over all dofs at displacements u of the unknowns [m]. Guided nodes are at their
-  /// positions at `time` [s].
+  /// positions at `time` [s]. Those of held nodes do not change: x has them already, as start() does.
   void place(std::span<const double> u, std::span<double> x, double time = 0) const;
   /// Computes positions at displacements u from positions `base` [m]: x in double precision, and in x_low the
   /// digits that rounding removes from x. No node may be carried by a body.

@@ -97,7 +97,9 @@ void find_growing_motion(Assessment& a, const AssembledScene& scene, StaticProbl
   a.stability = stability_of(growth.verdict);
   if (!growth.grows()) return;
   if (growth.swings()) a.stability = Stability::swinging;
-  a.growing = {std::move(growth.mode), std::move(growth.mode_later), growth.rate, growth.frequency};
+  if (growth.is_local) a.stability = Stability::local;
+  a.growing = {std::move(growth.mode), std::move(growth.mode_later), growth.rate,
+               growth.swings() ? growth.frequency : 0, growth.share};
 }
 
 /// Whether `a` is the equilibrium that was judged before: the distance of both points is at most kSamePlace
@@ -113,7 +115,7 @@ bool is_same(const JudgedPoint& judged, const Assessment& a, const StaticProblem
 
 /// Whether the stability of a judged point may be reused. Doubtful results are examined again.
 bool is_decided(Stability s) {
-  return s == Stability::stable || s == Stability::swinging || s == Stability::unstable;
+  return s != Stability::neutral && s != Stability::marginal && s != Stability::unknown;
 }
 
 void copy_stability(Assessment& a, const Assessment& of) {
@@ -238,6 +240,8 @@ const char* name_of(Stability stability) {
       return "neutral";
     case Stability::marginal:
       return "marginal";
+    case Stability::local:
+      return "locally unstable";
     case Stability::swinging:
       return "swinging";
     case Stability::unstable:

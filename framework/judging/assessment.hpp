@@ -11,15 +11,17 @@ enum class SolveStatus { converged, unstable, not_converged, interrupted };
 /// Whether a small disturbance of an equilibrium decays. If forces have an energy, the tangent decides.
 /// Otherwise growth.hpp decides, and `stable` means that no growing disturbance was found. `swinging` means
 /// that the fastest growing motion oscillates (Growth::swings), as an empty cod-end flaps: the gear does not
-/// come to rest near the equilibrium, but its motion may remain small.
-enum class Stability { stable, neutral, marginal, swinging, unstable, unknown };
+/// come to rest near the equilibrium, but its motion may remain small. `local` means that a negligible part
+/// of the gear is swinging or unstable, and that the rest of it is not (Growth::is_local).
+enum class Stability { stable, neutral, marginal, local, swinging, unstable, unknown };
 
 /// The motion into which a small disturbance of u grows, if forces have no energy.
 struct GrowingMotion {
   std::vector<double> mode;        // shape over the unknowns, of length 1; empty: no growing motion is known
   std::vector<double> mode_later;  // the mode a quarter of a period later, if it oscillates; else empty
   double rate = 0;                 // growth rate [1/s]; zero if no fluid moves
-  double frequency = 0;            // angular frequency of the oscillation [rad/s]
+  double frequency = 0;            // angular frequency [rad/s]; zero if the motion does not oscillate
+  double share = 1;                // fraction of the gear's mass that it moves, (1) of extent.hpp
 };
 
 /// The remaining Newton step at a point: an estimate of its distance from the equilibrium.
@@ -61,7 +63,7 @@ inline bool is_stationary(const Assessment& a) {
 }
 
 /// Whether the growing motion oscillates. The equilibrium may be accepted nevertheless.
-inline bool flutters(const Assessment& a) { return a.stability == Stability::swinging; }
+inline bool flutters(const Assessment& a) { return a.growing.frequency > 0; }
 
 /// Assesses displacements u of the unknowns, at which a solver ended with `outcome`: recomputes the residual,
 /// applies convergence.hpp, determines the stability of a balanced point, and estimates its distance from the

@@ -2,6 +2,7 @@
 #include "framework/judging/growth.hpp"
 
 #include "framework/judging/arnoldi.hpp"
+#include "framework/judging/extent.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -165,7 +166,9 @@ Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, Fac
 
 Growth find_growth(Assembler& assembler, const RestPlace& place, Factors& factors, LinearMotion motion) {
   if (!linearise(assembler, place, factors.statistics(), motion)) return {.verdict = GrowthVerdict::unknown};
-  return find_growth(assembler.pattern(), motion, factors);
+  Growth growth = find_growth(assembler.pattern(), motion, factors);
+  if (growth.grows()) find_extent(assembler, motion, factors, growth);
+  return growth;
 }
 
 }  // namespace netloft

@@ -22,6 +22,8 @@ struct Growth {
   std::vector<double> mode = {};  // shape over the unknowns, of length 1; empty if nothing grows
   // The mode a quarter of a period later, on the same scale; empty if the motion does not oscillate.
   std::vector<double> mode_later = {};
+  double share = 1;       // fraction of the gear's mass that the motion moves (extent.hpp)
+  bool is_local = false;  // whether the motion moves a negligible part of the gear, and nothing else grows
   bool grows() const { return verdict == GrowthVerdict::grows; }
   /// Whether the growth is flutter (a growing oscillation, from a pair of complex eigenvalues), not
   /// divergence.
@@ -55,6 +57,7 @@ struct Growth {
 /// cayley.hpp. It is `unknown` if K + σC + σ²M could not be factorised. It depends neither on chance nor on a
 /// clock.
 /// `factors`, those of the pattern, count the cost. The memory of the matrices in `motion` is used again.
+/// Only the function with an assembler finds the extent of a growing motion.
 Growth find_growth(Assembler& assembler, const RestPlace& place, Factors& factors, LinearMotion motion = {});
 Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, Factors& factors);
 

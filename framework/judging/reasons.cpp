@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/judging/reasons.hpp"
 
+#include "framework/judging/extent.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,6 +21,12 @@ std::string newtons(double force) {
 std::string seconds(double time) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g s", time);
+  return text;
+}
+
+std::string percent(double share) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
   return text;
 }
 
@@ -68,17 +76,8 @@ std::string why_it_stopped(const StaticProblem& problem) {
   }
 }
 
-/// Amplitude of each node in the growing motion.
 std::vector<double> node_moves(const Assessment& a, const Assembler& assembler) {
-  std::vector<double> squares;
-  for (const auto* u : {&a.growing.mode, &a.growing.mode_later})
-    for (std::size_t i = 0; i < u->size(); ++i) {
-      const std::size_t node = assembler.numbering().node(Dof(i));
-      if (node >= squares.size()) squares.resize(node + 1, 0.0);
-      squares[node] += (*u)[i] * (*u)[i];
-    }
-  for (double& square : squares) square = std::sqrt(square);
-  return squares;
+  return node_amplitudes(assembler.numbering(), a.growing.mode, a.growing.mode_later);
 }
 
 std::uint32_t furthest(const std::vector<double>& moves) {
@@ -127,9 +126,10 @@ std::string growth_sentence(const Assessment& a, const Assembler& assembler, con
   const auto moves = node_moves(a, assembler);
   const double most = moves[furthest(moves)];
   const auto many =
-      std::count_if(moves.begin(), moves.end(), [&](double move) { return move >= 0.1 * most; });
+      std::count_if(moves.begin(), moves.end(), [&](double move) { return move >= kMoves * most; });
   return text + ", most at " + node_of_growth(a, assembler, scene) + "; " + std::to_string(many) + " of " +
-         std::to_string(moves.size()) + " nodes move at least a tenth as far";
+         std::to_string(moves.size()) + " nodes move at least a tenth as far, with " +
+         percent(a.growing.share) + " of the mass";
 }
 
 std::string node_of_growth(const Assessment& a, const Assembler& assembler, const Scene& scene) {
@@ -148,6 +148,9 @@ std::string reason_of(const Assessment& a, const std::string& ending, const std:
   const std::string balanced = balance + note_on_round_off(a) + note_on_stability(a);
   if (a.stability == Stability::swinging && a.status == SolveStatus::converged)
     return balanced + "; the gear does not rest there: " + why_unstable;
+  if (a.stability == Stability::local)
+    return balanced + "; a small part of the gear does not rest there: " + why_unstable +
+           "; with these nodes held, nothing grows";
   if (a.status != SolveStatus::unstable) return balanced;
   return "a stationary point, but not a stable one: " + why_unstable + "; " + balanced;
 }

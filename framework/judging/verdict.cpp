@@ -11,7 +11,7 @@ Solution not_started(const Assembler& assembler, std::span<const double> start, 
   s.reason = std::move(why);
   s.u.assign(start.begin(), start.end());
   s.u.resize(static_cast<std::size_t>(assembler.pattern().size), 0.0);
-  s.x.resize(assembler.numbering().dofs());
+  s.x = assembler.start();
   s.residual.resize(s.x.size(), 0.0);
   assembler.place(s.u, s.x);
   return s;

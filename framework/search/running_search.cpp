@@ -51,6 +51,8 @@ std::uint32_t stability_of(const Solution& s) {
       return NETLOFT_NEUTRAL;
     case Stability::marginal:
       return NETLOFT_MARGINAL;
+    case Stability::local:
+      return NETLOFT_LOCALLY_UNSTABLE;
     case Stability::swinging:
     case Stability::unstable:
       return NETLOFT_UNSTABLE;
@@ -406,7 +408,7 @@ void RunningSearch::fill(netloft_stage& stage, const Solution& s, double spent) 
   stage.factorisations = static_cast<std::uint32_t>(s.cost.statistics.factorisations);
   stage.growing = growing_.empty() ? nullptr : growing_.data();
   stage.growth_rate = s.growing.rate;
-  stage.growth_frequency = flutters(s) ? s.growing.frequency : 0;
+  stage.growth_frequency = s.growing.frequency;
 }
 
 }  // namespace netloft

@@ -73,7 +73,7 @@ Solution swung(const Assembler& assembler, const Solution& s, const std::vector<
                double length) {
   Solution there;
   there.u = s.u;
-  there.x.resize(s.x.size());
+  there.x = s.x;
   there.energy = s.energy;
   for (std::size_t i = 0; i < there.u.size(); ++i) there.u[i] += length * along[i];
   assembler.place(there.u, there.x);
@@ -95,8 +95,7 @@ void note_swing(const std::vector<NamedScalar>& to_one_side, const std::vector<N
 
 /// Finds how much the numbers of an equilibrium change along its growing motion, by central differences.
 void add_swing(const scenes::LoadedScene& loaded, Assembler& assembler, const Solution& s, Result& result) {
-  const bool grows = s.stability == Stability::swinging || s.stability == Stability::unstable;
-  if (!grows || s.growing.mode.size() != s.u.size()) return;
+  if (s.growing.mode.empty() || s.growing.mode.size() != s.u.size()) return;
   const double length = kSmallSwing * length_of(s.x);
   double way = 0;  // distance between the displaced positions of the node that moves most, first mode [m]
   for (const auto* along : {&s.growing.mode, &s.growing.mode_later}) {
@@ -107,7 +106,7 @@ void add_swing(const scenes::LoadedScene& loaded, Assembler& assembler, const So
       way = furthest.distance;
       if (way > 0)
         result.swing = Swing{assembler.node_name(loaded.scene, furthest.node), s.growing.rate,
-                             flutters(s) ? s.growing.frequency : 0};
+                             s.growing.frequency, s.growing.share};
     }
     const auto at_one = numbers_at(loaded, assembler, one), at_other = numbers_at(loaded, assembler, other);
     if (!(way > 0) || !at_one || !at_other) return;

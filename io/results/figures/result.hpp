@@ -81,6 +81,7 @@ struct Swing {
   std::string furthest;  // name of the node that moves most
   // Growth rate [1/s]; 0 if it is not known. Angular frequency [rad/s]; 0 if nothing oscillates.
   double rate = 0, frequency = 0;
+  double share = 1;  // fraction of the mass of the gear that it moves (extent.hpp)
 };
 
 /// One solve within the search for the equilibrium: of the scene itself, or of an easier variant (coarser,

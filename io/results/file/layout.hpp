@@ -187,6 +187,7 @@ void visit_others(File&& file, AnyResult& r) {
     file.text("swing/furthest", s.furthest, "the node that moves furthest");
     file.number("swing/rate", s.rate, "1/s", "rate of growth");
     file.number("swing/frequency", s.frequency, "rad/s", "frequency of the swing; 0: none");
+    file.number("swing/share", s.share, "1", "fraction of the gear's mass that moves");
   });
 }
 

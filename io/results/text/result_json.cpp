@@ -62,6 +62,7 @@ Json swing_json(const Result& result) {
   return {{"furthest", result.swing->furthest},
           {"tenfold_in", time(std::log(10), result.swing->rate)},
           {"period", time(2 * std::numbers::pi, result.swing->frequency)},
+          {"share", result.swing->share},
           {"per_metre", per_metre}};
 }
 

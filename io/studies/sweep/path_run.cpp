@@ -108,6 +108,7 @@ class PathRun {
 
   void fill(PointRecord& record, runs::PreparedScene& scene, const Solution& s) const {
     record.status = name_of(s.status);
+    record.stability = name_of(s.stability);
     record.reason = s.reason;
     record.iterations = s.cost.statistics.iterations;
     record.factorisations = s.cost.statistics.factorisations;

@@ -57,15 +57,17 @@ Json point_json(const PointRecord& point, const FigureNames& names) {
   Json values = Json::array();
   for (const double value : names.values_of(point))
     values.push_back(std::isfinite(value) ? Json(value) : Json(nullptr));
-  return {
-      {"status", point.status}, {"reason", point.reason},         {"start", point.start},
-      {"events", point.events}, {"iterations", point.iterations}, {"factorisations", point.factorisations},
-      {"work", point.work},     {"values", std::move(values)}};
+  return {{"status", point.status},     {"stability", point.stability},
+          {"reason", point.reason},     {"start", point.start},
+          {"events", point.events},     {"iterations", point.iterations},
+          {"work", point.work},         {"factorisations", point.factorisations},
+          {"values", std::move(values)}};
 }
 
 PointRecord read_point(const Json& json, const std::vector<StudyFigure>& names) {
   PointRecord point;
   json.at("status").get_to(point.status);
+  point.stability = json.value("stability", "");  // missing in records of older versions
   json.at("reason").get_to(point.reason);
   json.at("start").get_to(point.start);
   json.at("events").get_to(point.events);

@@ -15,9 +15,10 @@ struct StudyFigure {
 
 /// The result at one point.
 struct PointRecord {
-  std::string status;  // outcome as in result files; "wrong input": the scene cannot be read at this point
-  std::string reason;  // reason, as a sentence
-  std::string start;   // "continued" from the point before, or "anew" by a search
+  std::string status;     // outcome as in result files; "wrong input": the scene cannot be read at this point
+  std::string stability;  // stability as in result files; empty if there is no result
+  std::string reason;     // reason, as a sentence
+  std::string start;      // "continued" from the point before, or "anew" by a search
   std::vector<std::string> events;  // folds and jumps between the point before and this one
   std::int64_t iterations = 0, factorisations = 0;
   double work = 0;  // work in the units of framework/balance/work.hpp

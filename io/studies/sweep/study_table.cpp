@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/sweep/study_table.hpp"
 
+#include "framework/judging/assessment.hpp"
 #include "io/formats/files/whole_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -33,6 +35,7 @@ class Collector {
     for (const StudyItem& item : study_.items) add_item(item);
     for (StudyRow& row : table_.rows) row.figures = sorted(row.record);
     if (programs_.size() > 1) say_versions();
+    say_local();
     return std::move(table_);
   }
 
@@ -80,6 +83,15 @@ class Collector {
     for (const auto& [program, items] : programs_)
       all += (all.empty() ? "" : ", ") + std::to_string(items) + " by " + program;
     table_.sentences.push_back("items were computed by several versions of Netloft: " + all);
+  }
+
+  void say_local() {
+    const auto count = std::count_if(table_.rows.begin(), table_.rows.end(), [](const StudyRow& row) {
+      return row.record.stability == name_of(Stability::local);
+    });
+    if (count > 0)
+      table_.sentences.push_back("points at which a small part of the gear is unstable: " +
+                                 std::to_string(count) + ", which the column `stability` names");
   }
 
   const Study& study_;

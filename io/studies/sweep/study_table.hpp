@@ -19,7 +19,9 @@ struct StudyTable {
   std::vector<StudyColumn> columns;
   std::vector<StudyFigure> figures;  // names and units of the figures; `value` is not used
   std::vector<StudyRow> rows;
-  std::vector<std::string> sentences;  // about items that are missing, damaged, or of several versions
+  // About items that are missing, damaged, or of several versions, and about points that are locally
+  // unstable.
+  std::vector<std::string> sentences;
   std::size_t missing_items = 0;
   std::map<std::string, std::size_t> count_by_status() const;
 };

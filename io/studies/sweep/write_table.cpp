@@ -32,9 +32,10 @@ std::string row_csv(const StudyTable& table, const StudyRow& row) {
   for (std::size_t v = 0; v < row.values.size(); ++v)
     text += "," + value_field(table.columns[v], row.values[v]);
   const PointRecord& r = row.record;
-  text += "," + formats::csv_field(r.status) + "," + formats::csv_field(r.reason) + "," +
-          formats::csv_field(r.start) + "," + formats::csv_field(joined(r.events)) + "," +
-          std::to_string(r.iterations) + "," + std::to_string(r.factorisations);
+  text += "," + formats::csv_field(r.status) + "," + formats::csv_field(r.stability) + "," +
+          formats::csv_field(r.reason) + "," + formats::csv_field(r.start) + "," +
+          formats::csv_field(joined(r.events)) + "," + std::to_string(r.iterations) + "," +
+          std::to_string(r.factorisations);
   for (const double value : row.figures) text += "," + formats::csv_number(value);
   return text + "\n";
 }
@@ -87,6 +88,8 @@ void write_variables(Columns& columns, const StudyTable& table) {
 void write_outcomes(Columns& columns) {
   columns.write_texts("/study/status", "how the search for an equilibrium ended",
                       [](const StudyRow& row) { return row.record.status; });
+  columns.write_texts("/study/stability", "whether small disturbances of the equilibrium grow",
+                      [](const StudyRow& row) { return row.record.stability; });
   columns.write_texts("/study/reason", "a sentence about it",
                       [](const StudyRow& row) { return row.record.reason; });
   columns.write_texts("/study/start", "continued from the point before, or found anew",
@@ -106,7 +109,7 @@ void write_outcomes(Columns& columns) {
 std::string study_csv(const StudyTable& table) {
   std::string text = "item,sample,point";
   for (const StudyColumn& c : table.columns) text += "," + csv_heading(c.variable.name, c.variable.unit);
-  text += ",status,reason,start,events,iterations,factorisations";
+  text += ",status,stability,reason,start,events,iterations,factorisations";
   for (const StudyFigure& f : table.figures) text += "," + csv_heading(f.name, f.unit);
   text += "\n";
   for (const StudyRow& row : table.rows) text += row_csv(table, row);

@@ -516,6 +516,34 @@ class Swinging(InFreshFolder):
         self.assertAlmostEqual(change["x"] ** 2 + change["y"] ** 2, 1, delta=1e-6)  # it falls over, to any side
         self.assertLess(change["z"], 1e-3)
 
+    def test_of_a_negligible_part_of_the_gear_is_a_remark(self):
+        heavy = """
+[parts.other]
+type = "rope/bar"
+cells = 1
+sketch = [[20, 0, 0], [20.05, 0.02, 2]]
+length = 2
+rope = { EA = 1e5, EA_compression = 1e5, diameter = 0.001, density = 1140 }
+[parts.buoy]
+type = "float/float"
+on = "other.end"
+float = { buoyancy = 100, diameter = 0.2, mass = MASS }
+[[hold]]
+on = "other.start"
+"""
+        topples = FLOAT.replace("[1.7, 0, 0]", "[0, 0, 0.2]").replace("[0.05, 0.02, 2]", "[0, 0, -2]")
+        for mass, code, stability in (("20000", 0, "locally unstable"), ("200", 3, "unstable")):
+            self.write("two.toml", topples + heavy.replace("MASS", mass))
+            ended = self.netloft("run", "two.toml", "--json", "--overwrite", "--strategy", "direct", "--solver", "newton:method=classic")
+            report = ended.json()
+            self.assertEqual((ended.code, report["stability"]), (code, stability), report["reason"])
+            self.assertEqual(report["swing"]["furthest"], "rod node 1")
+            self.assertEqual(report["swing"]["share"] < 1e-3, code == 0)
+            self.assertIn("with these nodes held, nothing grows" if code == 0 else "not a stable one", report["reason"])
+            with h5py.File(self.folder / "two.hdf") as f:
+                self.assertEqual(f["netloft/swing/share"][()], report["swing"]["share"])
+                self.assertEqual(f["netloft/status"].attrs["stability"], stability)
+
     def test_a_gear_that_rests_has_none(self):
         self.write("float.toml", FLOAT.replace("1.7", "0.2"))
         self.assertIsNone(self.netloft("run", "float.toml", "--json").json()["swing"])

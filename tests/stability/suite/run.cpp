@@ -51,7 +51,7 @@ Stability find_stability(runs::PreparedScene& one, const Ended& e) {
       one.assembler(), {e.solution.x, e.solution.x_low, e.solution.correction.x, e.solution.correction.x_low},
       factors);
   if (std::isnan(growth.per_power)) return Stability::unknown;
-  return growth.grows() ? Stability::unstable : Stability::stable;
+  return growth.grows() && !growth.is_local ? Stability::unstable : Stability::stable;
 }
 
 class SuiteRun {

@@ -48,7 +48,8 @@ enum netloft_stability {
   NETLOFT_STABLE = 1,
   NETLOFT_NEUTRAL = 2,  /* some motion meets no resistance */
   NETLOFT_MARGINAL = 3, /* growth cannot be distinguished from none (framework/judging/growth.hpp) */
-  NETLOFT_UNSTABLE = 4
+  NETLOFT_UNSTABLE = 4,
+  NETLOFT_LOCALLY_UNSTABLE = 5 /* a negligible part of the gear is unstable, and the rest of it is not */
 };
 
 enum netloft_stage_flag {

@@ -589,6 +589,42 @@ TEST(Growth, IsThatOfTheMotionOfAFloatThatTopples) {
               0.1 * s.solution.growing.rate);
 }
 
+/// A float of 5 kg above or below its foot, and 20 m away one of `mass` on a rod as long as its own.
+Scene two_floats_on_rods(double z, double mass, double other_z) {
+  Sketch s;
+  s.scene.current.samples = {{0, {0, 0, 0.2}}};
+  const auto add = [&](double x, double height, double of_mass) {
+    const auto foot = s.node(x, 0, 0, kAllAxes), head = s.node(x + 0.05, 0.02, height);
+    Part& rod = s.rope("rod", {foot, head}, 2, 1e5);
+    rod.parameters["rope.EA_compression"] = 1e5, rod.parameters["rope.diameter"] = 0.001;
+    s.part("float", "float/float",
+           {{"float.buoyancy", 100.0}, {"float.diameter", 0.2}, {"float.mass", of_mass}}, {head})
+        .data["pieces"] = {1};
+  };
+  add(0, z, 5);
+  add(20, other_z, mass);
+  return s.scene;
+}
+
+// The added mass of each float is 2.1 kg.
+TEST(Growth, IsLocalIfItMovesLittleOfTheMass) {
+  const Values classic{{"method", std::string("classic")}};
+  const Solution small = solve_with("newton", two_floats_on_rods(-2, 20000, 2), classic).solution;
+  EXPECT_EQ(small.status, SolveStatus::converged) << small.reason;
+  EXPECT_EQ(small.stability, Stability::local);
+  EXPECT_NEAR(small.growing.share, 7.1 / 20000, 0.1 * 7.1 / 20000);
+  const Solution large = solve_with("newton", two_floats_on_rods(-2, 500, 2), classic).solution;
+  EXPECT_EQ(large.status, SolveStatus::unstable) << large.reason;
+  EXPECT_NEAR(large.growing.share, 7.1 / 509, 0.1 * 7.1 / 509);
+}
+
+TEST(Growth, IsNotLocalIfTheRestGrowsToo) {
+  const Values classic{{"method", std::string("classic")}};
+  const Solution both = solve_with("newton", two_floats_on_rods(-2, 20000, -2), classic).solution;
+  EXPECT_EQ(both.status, SolveStatus::unstable) << both.reason;
+  EXPECT_EQ(both.stability, Stability::unstable);
+}
+
 TEST(Growth, IsNoneOfAFloatThatStandsUp) {
   const Solved s = solve_with("newton", float_on_rod(2, {0, 0, 0.2}, "constant"));
   EXPECT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;
