@@ -71,6 +71,7 @@ PracticeSearch::PracticeSearch(const PracticeScene& scene)
   };
   s.work_left = [](void* host) { return static_cast<PracticeSearch*>(host)->work_left(); };
   s.answer = forward<&PracticeSearch::answer, const double*>;
+  s.bending = [](void*, const double*) { return 0.0; };
   std::memcpy(&as_made_, &interface_, sizeof interface_);
 }
 

@@ -5,6 +5,7 @@
 #include "framework/registry/hand_out.hpp"
 #include "framework/registry/host_function.hpp"
 #include "framework/registry/plugin_call.hpp"
+#include "framework/search/bending.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +68,8 @@ std::string traits_of_search(std::uint32_t traits) {
   const std::pair<std::uint32_t, const char*> all[] = {{NETLOFT_SEARCH_REMEMBERS, "elements that remember"},
                                                        {NETLOFT_SEARCH_FLOWS, "a current"},
                                                        {NETLOFT_SEARCH_COMPRESSION, "stiffness when slack"},
-                                                       {NETLOFT_SEARCH_MEMBERS, "members that bear tension"}};
+                                                       {NETLOFT_SEARCH_MEMBERS, "members that bear tension"},
+                                                       {NETLOFT_SEARCH_BENDING, "resistance to bending"}};
   for (const auto& [trait, name] : all)
     if (traits & trait) text += (text.empty() ? "" : ", ") + std::string(name);
   return text;
@@ -123,6 +125,7 @@ void RunningSearch::fill_interface(const double* start) {
   if (!variant_problem_->assembler->memory().empty()) s.traits |= NETLOFT_SEARCH_REMEMBERS;
   if (variant_problem_->scene->current.flows()) s.traits |= NETLOFT_SEARCH_FLOWS;
   if (resists_compression(*variant_problem_->scene, registry)) s.traits |= NETLOFT_SEARCH_COMPRESSION;
+  if (resists_bending(*variant_problem_->assembler)) s.traits |= NETLOFT_SEARCH_BENDING;
   if (MemberProblem::serves(*variant_problem_->scene, *variant_problem_->assembler))
     s.traits |= NETLOFT_SEARCH_MEMBERS;
   s.member_count = static_cast<std::uint32_t>(count_members(*variant_problem_->assembler));
@@ -147,6 +150,10 @@ void RunningSearch::fill_interface(const double* start) {
     return static_cast<RunningSearch*>(search)->work_left();
   };
   s.answer = HostFunction<&RunningSearch::answer>::call;
+  s.bending = [](void* search, const double* u) {
+    const HostCall back;
+    return static_cast<RunningSearch*>(search)->bending(u);
+  };
 }
 
 void RunningSearch::keep_message(const char* text) { std::snprintf(message_, sizeof message_, "%s", text); }
@@ -377,6 +384,17 @@ int RunningSearch::answer(const double* u) {
   else
     keep(stage, s);
   return NETLOFT_OK;
+}
+
+double RunningSearch::bending(const double* u) {
+  close();
+  Statistics cost;
+  Factors factors(host_.variant_problems().source().make, cost);
+  const double largest = bending_that_holds(*variant_problem_->assembler, {u, interface_.unknowns}, factors);
+  host_.record(
+      {"what bending holds", "own", interface_.unknowns, SolveStatus::not_converged, "", cost, scene_},
+      *variant_problem_);
+  return largest;
 }
 
 /// Stores an equilibrium of the scene itself until the strategy reports it. Updates the point closest to

@@ -45,6 +45,7 @@ class RunningSearch {
   double work_left() const;
   netloft_ending ending() const;
   int answer(const double* u);
+  double bending(const double* u);
   void keep_message(const char* text);
 
  private:

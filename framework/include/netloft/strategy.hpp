@@ -131,6 +131,7 @@ class Search {
   bool remembers() const { return s_.traits & NETLOFT_SEARCH_REMEMBERS; }
   bool flows() const { return s_.traits & NETLOFT_SEARCH_FLOWS; }
   bool resists_compression() const { return s_.traits & NETLOFT_SEARCH_COMPRESSION; }
+  bool resists_bending() const { return s_.traits & NETLOFT_SEARCH_BENDING; }
   bool has_members() const { return s_.traits & NETLOFT_SEARCH_MEMBERS; }
   std::size_t members() const { return s_.member_count; }
   double gear_size() const { return s_.gear_size; }        // [m]
@@ -198,6 +199,11 @@ class Search {
   /// strategy must then return. The reason is reported to the user if there is nothing else to report.
   void decline(const char* why) { std::snprintf(s_.message, s_.message ? s_.message_size : 0, "%s", why); }
 
+  /// Largest force on a node, along one axis, of all elastic forces that are not those of members: of meshes
+  /// held open, of bent ropes and netting [N]. It is zero unless they hold the gear in the shape `u`, an
+  /// equilibrium of the scene itself: unless the tangent of all other forces is not positive definite. All
+  /// forces must have an energy.
+  double bending(const Displacements& u) { return s_.bending(s_.host, u.data()); }
   double work_left() { return s_.work_left(s_.host); }
   /// Reports an equilibrium of the scene itself. May be called again for another equilibrium.
   void answer(const Displacements& u) {

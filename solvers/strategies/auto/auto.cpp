@@ -8,10 +8,12 @@ namespace netloft::automatic {
 
 void Auto::run(const Options& options, Search& search) {
   if (attempts_for(search, options).empty()) return search.decline("`without` leaves out every attempt");
-  const Stage best = Race(search, options).run();
+  const double work = search.work_left();
+  Race race(search, options);
+  const Stage best = race.run();
   if (!best.is_stationary()) return;
   search.answer(best.u);
-  if (best.has_converged()) restart(search, options, best);
+  if (best.has_converged()) restart(search, options, race.start(), best, work - search.work_left());
 }
 
 std::string Auto::explain(const Options& options, Search& search) {
@@ -21,7 +23,7 @@ std::string Auto::explain(const Options& options, Search& search) {
   if (may_restart(search, options))
     text += "restarts: " + std::to_string(options.restarts) +
             " from other shapes after the first equilibrium" +
-            (options.everywhere ? "" : ", if that bears a load by compression") +
+            (options.everywhere ? "" : ", if that bears a load by compression or bending") +
             ": the gear may have other equilibria\n";
   return text;
 }

@@ -8,9 +8,11 @@ using netloft::automatic::Options;
 NETLOFT_PLUGIN("auto", "0.1.0", "The default strategy") {
   auto& s = plugin.strategy<Auto>(
       "auto", "Attempts that suit the scene, each for a slice of work, then restarts for other shapes");
-  s.integer("restarts", &Options::restarts,
-            "number of searches for other shapes if something is in compression; each gets a slice of work",
-            0, 1000, 1);
+  s.integer(
+      "restarts", &Options::restarts,
+      "number of searches for other shapes if compression bears a load, and if bending does; each costs at "
+      "most a slice of work more than the first equilibrium",
+      0, 1000, 1);
   s.boolean("everywhere", &Options::everywhere,
             "look for other shapes in every scene without dry friction, also where nothing is in compression "
             "or forces have no energy; without an energy, the first equilibrium that was found is the answer",

@@ -44,6 +44,8 @@ class Race {
   /// Returns the first stage that converged, otherwise the best unstable equilibrium (keep_better), otherwise
   /// an empty stage.
   Stage run();
+  /// The start of all attempts: that of the search, slightly perturbed if forces are undefined there.
+  const Displacements& start() const { return start_; }
 
  private:
   /// The fate of an attempt. again_at_once: it was cut off close to balance and gets a slice of double

@@ -16,10 +16,8 @@ double borne_by_compression(Search& search, const Stage& at) {
   return search.assess({.name = "what is in compression", .variant = {.compression = 0}}, at.u).imbalance();
 }
 
-/// Whether other equilibria are possible. Compression below kOnlyAStart of the load counts as none.
-bool may_have_other_shapes(Search& search, const Options& options, const Stage& at) {
-  return may_restart(search, options) &&
-         (options.everywhere || borne_by_compression(search, at) > kOnlyAStart);
+double borne_by_bending(Search& search, const Stage& at) {
+  return at.has_forces() ? search.bending(at.u) / at.load : 0;
 }
 
 /// Returns the equilibrium without resistance to compression, in which parts in compression have folded.
@@ -31,29 +29,55 @@ Displacements without_compression(Search& search, const Stage& best, double work
   return search.solve(ask, best.u).u;
 }
 
-Displacements start_of(Search& search, int shape, const Stage& best, double work) {
-  return shape == 1 ? without_compression(search, best, work)
-                    : perturbed(best.u, search.element_size(), shape);
-}
+/// The searches for other shapes after the first equilibrium.
+class Restarts {
+ public:
+  Restarts(Search& search, const Stage& first, double work) : search_(search), best_(first), work_(work) {}
+
+  void begin() { end_ = std::max(0.0, search_.work_left() - work_); }
+  double left() const { return search_.work_left() - end_; }
+  const Stage& best() const { return best_; }
+
+  /// Solves from `start` with the work that is left of this search. If that leads to the best shape again,
+  /// because the search has solved from there before, nothing was looked for.
+  void solve_from(const Displacements& start) {
+    if (left() <= 0) return;
+    Stage next = search_.call("direct", "", {.name = "restart", .work = left()}, start);
+    if (!next.has_converged() || next.u == best_.u) return;
+    search_.answer(next.u);
+    if (search_.conservative() && next.energy < best_.energy) best_ = std::move(next);
+  }
+
+ private:
+  Search& search_;
+  Stage best_;
+  double work_, end_ = 0;  // work of each search; work left at the end of the current one
+};
 
 }  // namespace
 
 bool may_restart(const Search& search, const Options& options) {
   if (options.restarts == 0 || is_left_out(options, "restarts") || search.remembers()) return false;
-  return options.everywhere || (search.conservative() && search.resists_compression());
+  return options.everywhere ||
+         (search.conservative() && (search.resists_compression() || search.resists_bending()));
 }
 
-void restart(Search& search, const Options& options, const Stage& first) {
-  if (!may_have_other_shapes(search, options, first)) return;
-  Stage best = first;
-  for (int shape = 1; shape <= options.restarts && search.work_left() > 0; ++shape) {
-    const double end = std::max(0.0, search.work_left() - options.slice);
-    const auto start = start_of(search, shape, best, search.work_left() - end);
-    if (search.work_left() <= end) continue;
-    Stage next = search.call("direct", "", {.name = "restart", .work = search.work_left() - end}, start);
-    if (!next.has_converged()) continue;
-    search.answer(next.u);
-    if (search.conservative() && next.energy < best.energy) best = std::move(next);
+void restart(Search& search, const Options& options, const Displacements& start, const Stage& first,
+             double spent) {
+  if (!may_restart(search, options)) return;
+  const bool bends =
+      search.conservative() && search.resists_bending() && borne_by_bending(search, first) > kOnlyAStart;
+  const bool folds = options.everywhere ||
+                     (search.resists_compression() && borne_by_compression(search, first) > kOnlyAStart);
+  const double size = search.element_size();
+  Restarts restarts(search, first, options.slice + spent);
+  for (int shape = 1; shape <= options.restarts; ++shape) {
+    restarts.begin();
+    if (bends) restarts.solve_from(shape == 1 ? start : perturbed(start, size, shape));
+    restarts.begin();
+    if (folds && restarts.left() > 0)
+      restarts.solve_from(shape == 1 ? without_compression(search, restarts.best(), restarts.left())
+                                     : perturbed(restarts.best().u, size, shape));
   }
 }
 

@@ -9,11 +9,19 @@ namespace netloft::automatic {
 /// Whether restarts are possible in this scene, as far as can be known before an equilibrium has been found.
 bool may_restart(const Search& search, const Options& options);
 
-/// Looks for other equilibria, starting from the equilibrium `first`, because parts in compression may fold
-/// in several ways. It does so only if all forces have an energy and compression bears a load; the option
-/// `everywhere` drops both conditions. The first restart is from the shape without resistance to compression,
-/// all others are from perturbations of the best shape so far. Each restart costs at most a slice of work.
-/// The host chooses among the equilibria that are found.
-void restart(Search& search, const Options& options, const Stage& first);
+/// Looks for other equilibria than `first`. If members bear all loads by tension, the energy is convex, and
+/// there is none of less energy. Other shapes are therefore looked for if all forces have an energy, and if
+/// another elastic force bears more than kOnlyAStart of the load:
+///   compression: parts in compression fold in several ways. The first restart is from the shape without
+///     resistance to compression, all others are from perturbations of the best shape so far.
+///   bending, of meshes held open, of bent ropes or netting, if the shape would not be stable without it:
+///     attempts that know tensions only lead through shapes in which the netting is crumpled, and bending
+///     holds it so. The first restart is from `start`, the start of the search, all others are from
+///     perturbations of it.
+/// The option `everywhere` drops the conditions for the restarts because of compression. Each restart costs
+/// at most a slice of work more than the first equilibrium has cost (`spent`). The host chooses among the
+/// equilibria that are found.
+void restart(Search& search, const Options& options, const Displacements& start, const Stage& first,
+             double spent);
 
 }  // namespace netloft::automatic

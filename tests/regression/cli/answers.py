@@ -229,7 +229,7 @@ ALL = [
         ("netloft plan $panel --solver newmark --strategy nam", 4, 'analysis.strategy: there is no plugin "nam"'),
         ("netloft plan $panel --solver newmark --strategy auto", 0, "warning: analysis.strategy has no effect: the integrator newmark"),
         ("netloft describe tension", 0, "parameters (in the table analysis.tension.only) … parameters (in the table analysis.tension.stages)"),
-        ("netloft plan $panel --strategy auto:restarts=2", 0, "restarts: 2 from other shapes after the first equilibrium, if that bears a load by compression",
+        ("netloft plan $panel --strategy auto:restarts=2", 0, "restarts: 2 from other shapes after the first equilibrium, if that bears a load by compression or bending",
          {"holds": "! netloft plan $panel --strategy auto:without=restarts | grep restarts"}),
         ("hard_cases $suite --size small --case rope/taut --strategy auto:without=direct --without restarts", 0,
          "auto:without=restarts+direct … right 2 of 2"),

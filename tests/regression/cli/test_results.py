@@ -426,6 +426,32 @@ thrust = { of = "arch.end", take = "sum reaction x" }
 RISE = (1 - 0.9 ** 2) ** 0.5 / 3  # of the mean of three nodes, if bars do not stretch
 THRUST = 0.5 * 1000 * 9.81 * 3.14159265 / 4 * 0.01 ** 2 * 0.9 / (3 * RISE)  # half the weight at the middle, by moments
 
+# Netting with turned meshes, held slack along two edges.
+STIFF = """
+[water]
+density = 1025
+[parts.net]
+type = "priour/triangle"
+panel = { across = 40, along = 40, bar = "0.06 m", netting = "t90" }
+cells = [8, 8]
+sketch = [[-1.2, 0, 0], [1.2, 0, 0], [1.2, 0, -3], [-1.2, 0, -3]]
+twine = { diameter = "3 mm", EA = "1 kN", density = 1140, EI = "1e-4 N.m2", opening_angle = "30 deg" }
+[[hold]]
+on = ["net.fore", "net.aft"]
+"""
+ROPE = """
+[water]
+density = 1025
+[parts.rope]
+type = "rope/bar"
+length = "10 m"
+cells = 40
+sketch = [[0, 0, 0], [8, 0, 0]]
+rope = { diameter = "12 mm", EA = "100 kN", density = 1140, EI = "0.01 N.m2" }
+[[hold]]
+on = ["rope.start", "rope.end"]
+"""
+
 
 FLOAT = """
 [water]
@@ -533,14 +559,14 @@ on = "other.start"
 """
         topples = FLOAT.replace("[1.7, 0, 0]", "[0, 0, 0.2]").replace("[0.05, 0.02, 2]", "[0, 0, -2]")
         for mass, code, stability in (("20000", 0, "locally unstable"), ("200", 3, "unstable")):
-            self.write("two.toml", topples + heavy.replace("MASS", mass))
-            ended = self.netloft("run", "two.toml", "--json", "--overwrite", "--strategy", "direct", "--solver", "newton:method=classic")
+            self.write(f"two-{mass}.toml", topples + heavy.replace("MASS", mass))
+            ended = self.netloft("run", f"two-{mass}.toml", "--json", "--strategy", "direct", "--solver", "newton:method=classic")
             report = ended.json()
             self.assertEqual((ended.code, report["stability"]), (code, stability), report["reason"])
             self.assertEqual(report["swing"]["furthest"], "rod node 1")
             self.assertEqual(report["swing"]["share"] < 1e-3, code == 0)
             self.assertIn("with these nodes held, nothing grows" if code == 0 else "not a stable one", report["reason"])
-            with h5py.File(self.folder / "two.hdf") as f:
+            with h5py.File(self.folder / f"two-{mass}.hdf") as f:
                 self.assertEqual(f["netloft/swing/share"][()], report["swing"]["share"])
                 self.assertEqual(f["netloft/status"].attrs["stability"], stability)
 
@@ -584,6 +610,22 @@ class SeveralEquilibria(InFreshFolder):
         self.assertIsNone(report["spread"])
         with h5py.File(self.folder / "arch.hdf") as f:
             self.assertNotIn("spread", f["netloft"])
+
+    def test_a_shape_that_bending_holds_is_compared_with_that_from_the_drawing(self):
+        self.write("stiff.toml", STIFF)
+        energies = {}
+        for strategy in ("auto", "auto:restarts=0", "direct"):
+            report = self.netloft("run", "stiff.toml", "--json", "--overwrite", "--strategy", strategy).json()
+            self.assertEqual(report["status"], "converged", report["reason"])
+            energies[strategy] = report["energy"]
+        self.assertGreater(energies["auto:restarts=0"], energies["direct"] + 0.05 * abs(energies["direct"]), "it is crumpled")
+        self.assertLess(energies["auto"], energies["direct"] + 1e-9 * abs(energies["direct"]))
+
+    def test_a_rope_that_only_bends_has_one_shape(self):
+        self.write("rope.toml", ROPE)
+        report = self.netloft("run", "rope.toml", "--json").json()
+        self.assertEqual(report["status"], "converged", report["reason"])
+        self.assertIsNone(report["shapes"], "tension makes its shape stable without bending")
 
     def test_where_a_force_has_no_energy_they_are_looked_for_on_demand_and_the_first_is_the_answer(self):
         flows = changed(ARCH, ("density = 0", "density = 1\ncurrent = [0.1, 0, 0]"))

@@ -30,7 +30,8 @@ enum netloft_search_trait {
   NETLOFT_SEARCH_FLOWS = 1 << 21,       /* there is a current */
   NETLOFT_SEARCH_COMPRESSION = 1 << 22, /* some stiffness of slack members is not zero */
   NETLOFT_SEARCH_MEMBERS =
-      1 << 23 /* `members` works: members bear tension, and all nodes move along x, y, z */
+      1 << 23, /* `members` works: members bear tension, and all nodes move along x, y, z */
+  NETLOFT_SEARCH_BENDING = 1 << 24 /* some elastic forces are not those of members (`bending`) */
 };
 
 /* The end of a stage, as assessed by the host. */
@@ -163,6 +164,11 @@ typedef struct netloft_search {
    * assesses all of them and chooses: a converged one if there is any; among several, that of least energy if
    * all forces have an energy, otherwise the first. */
   int (*answer)(void* host, const double* u);
+  /* Largest force on a node, along one axis, of all elastic forces that are not those of members: of meshes
+   * held open, of bent ropes and netting [N]. It is zero unless they hold the gear in the shape `u`, an
+   * equilibrium of the scene itself: unless the tangent of all other forces is not positive definite. All
+   * forces must have an energy. Costs one factorisation. */
+  double (*bending)(void* host, const double* u);
 } netloft_search;
 
 typedef struct netloft_strategy {
