@@ -82,6 +82,16 @@ std::size_t count_members(const Assembler& assembler) {
   return count;
 }
 
+std::uint32_t traits_of_scene(const VariantProblem& of, Registry& registry) {
+  std::uint32_t traits = traits_of(*of.assembler);
+  if (!of.assembler->memory().empty()) traits |= NETLOFT_SEARCH_REMEMBERS;
+  if (of.scene->current.flows()) traits |= NETLOFT_SEARCH_FLOWS;
+  if (resists_compression(*of.scene, registry)) traits |= NETLOFT_SEARCH_COMPRESSION;
+  if (resists_bending(*of.assembler)) traits |= NETLOFT_SEARCH_BENDING;
+  if (MemberProblem::serves(*of.scene, *of.assembler)) traits |= NETLOFT_SEARCH_MEMBERS;
+  return traits;
+}
+
 int call_strategy(const StrategyType& type, const void* parameters, netloft_search& search) {
   netloft_search seen = search;
   const int status = call_plugin({type.type.c_str(), "run", nullptr, CallFrame::Kind::method},
@@ -121,13 +131,7 @@ void RunningSearch::fill_interface(const double* start) {
   s.unknowns = static_cast<std::uint32_t>(variant_problem_->assembler->pattern().size);
   s.levels = std::max(1u, host_.variant_problems().most_levels() -
                               std::min(scene_.level, host_.variant_problems().most_levels()));
-  s.traits = traits_of(*variant_problem_->assembler);
-  if (!variant_problem_->assembler->memory().empty()) s.traits |= NETLOFT_SEARCH_REMEMBERS;
-  if (variant_problem_->scene->current.flows()) s.traits |= NETLOFT_SEARCH_FLOWS;
-  if (resists_compression(*variant_problem_->scene, registry)) s.traits |= NETLOFT_SEARCH_COMPRESSION;
-  if (resists_bending(*variant_problem_->assembler)) s.traits |= NETLOFT_SEARCH_BENDING;
-  if (MemberProblem::serves(*variant_problem_->scene, *variant_problem_->assembler))
-    s.traits |= NETLOFT_SEARCH_MEMBERS;
+  s.traits = traits_of_scene(*variant_problem_, registry);
   s.member_count = static_cast<std::uint32_t>(count_members(*variant_problem_->assembler));
   s.gear_size = scales.gear_size();
   s.element_size = scales.element_size();

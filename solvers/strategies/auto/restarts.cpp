@@ -38,11 +38,11 @@ class Restarts {
   double left() const { return search_.work_left() - end_; }
   const Stage& best() const { return best_; }
 
-  /// Solves from `start` with the work that is left of this search. If that leads to the best shape again,
-  /// because the search has solved from there before, nothing was looked for.
-  void solve_from(const Displacements& start) {
+  /// Lets a strategy solve from `start` with the work that is left of this restart. If that leads to the best
+  /// shape again, because the race has done the same, nothing was looked for.
+  void solve(const char* strategy, const Displacements& start) {
     if (left() <= 0) return;
-    Stage next = search_.call("direct", "", {.name = "restart", .work = left()}, start);
+    Stage next = search_.call(strategy, "", {.name = "restart", .work = left()}, start);
     if (!next.has_converged() || next.u == best_.u) return;
     search_.answer(next.u);
     if (search_.conservative() && next.energy < best_.energy) best_ = std::move(next);
@@ -72,12 +72,14 @@ void restart(Search& search, const Options& options, const Displacements& start,
   const double size = search.element_size();
   Restarts restarts(search, first, options.slice + spent);
   for (int shape = 1; shape <= options.restarts; ++shape) {
-    restarts.begin();
-    if (bends) restarts.solve_from(shape == 1 ? start : perturbed(start, size, shape));
+    for (const char* strategy : {"stiffness-steps", "direct"}) {
+      restarts.begin();
+      if (bends) restarts.solve(strategy, shape == 1 ? start : perturbed(start, size, shape));
+    }
     restarts.begin();
     if (folds && restarts.left() > 0)
-      restarts.solve_from(shape == 1 ? without_compression(search, restarts.best(), restarts.left())
-                                     : perturbed(restarts.best().u, size, shape));
+      restarts.solve("direct", shape == 1 ? without_compression(search, restarts.best(), restarts.left())
+                                          : perturbed(restarts.best().u, size, shape));
   }
 }
 

@@ -17,7 +17,8 @@ bool may_restart(const Search& search, const Options& options);
 ///   bending, of meshes held open, of bent ropes or netting, if the shape would not be stable without it:
 ///     attempts that know tensions only lead through shapes in which the netting is crumpled, and bending
 ///     holds it so. The first restart is from `start`, the start of the search, all others are from
-///     perturbations of it.
+///     perturbations of it: each from soft to stiff, which keeps bending in proportion to tension, and by the
+///     solver alone.
 /// The option `everywhere` drops the conditions for the restarts because of compression. Each restart costs
 /// at most a slice of work more than the first equilibrium has cost (`spent`). The host chooses among the
 /// equilibria that are found.

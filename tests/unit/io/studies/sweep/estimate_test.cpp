@@ -198,7 +198,7 @@ TEST(Estimates, BeyondTheHullOfWhatConvergedAreExtrapolations) {
 }
 TEST(Estimates, OfAPointWithoutEquilibriumAreRefused) {
   StudyTable table = TableOfAGear(height).table;
-  table.rows[0].record = {"not converged", "it folds", "anew", {}, 0, 0, 0, {}};
+  table.rows[0].record = {"not converged", "unknown", "it folds", "anew", {}, 0, 0, 0, {}};
   formats::Diagnostics diagnostics;
   try {
     estimate(table, {{"speed=2 kn,depth=50 m"}, {}}, diagnostics);

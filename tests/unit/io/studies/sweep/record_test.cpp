@@ -16,9 +16,17 @@ StudyItem two_points() {
 }
 
 ItemRecord sample() {
-  PointRecord good{"converged", "so small", "continued", {"a jump"},
-                   3,           4,          4.25,        {{"gear/x", "m", 0.1}, {"gear/y", "N", 1e-300}}};
+  PointRecord good{"converged",
+                   "locally unstable",
+                   "so small",
+                   "continued",
+                   {"a jump"},
+                   3,
+                   4,
+                   4.25,
+                   {{"gear/x", "m", 0.1}, {"gear/y", "N", 1e-300}}};
   PointRecord bad{"not converged",
+                  "unknown",
                   "line\nbreak \"quote\"",
                   "anew",
                   {},
@@ -46,6 +54,7 @@ TEST(ItemRecord, IsReadBackToTheBit) {
   EXPECT_EQ(read.points[0].figures[1].value, 1e-300);
   EXPECT_TRUE(read.points[1].figures.empty()) << "NaN is no figure";
   EXPECT_EQ(read.points[1].reason, sample().points[1].reason);
+  EXPECT_EQ(read.points[0].stability, "locally unstable");
 }
 TEST(ItemRecord, IsRefusedWhereAnyByteIsDamaged) {
   const std::string text = record_text(sample());
