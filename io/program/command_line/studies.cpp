@@ -173,9 +173,10 @@ void add_sensitivity_command(CLI::App& app, Chosen& chosen) {
       "find how much each figure changes with each number of the scene, by one solve", sensitivity_command);
   add_method_options(command, o);
   as_words(command.add_option("--to", o.to,
-                              "a number of the scene, or a table of numbers, as for --set; may be repeated; "
+                              "a number of the scene, or a table of numbers, as for --set, and its standard "
+                              "deviation if known: ship.speed=0.1kn, elements.netting=5%; may be repeated; "
                               "default: all numbers"),
-           "PATH");
+           "PATH[=DEVIATION]");
   as_words(command.add_option(
                "--of", o.of, "a figure, or a group such as mouth; may be repeated; default: the key figures"),
            "NAME");

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -53,6 +54,19 @@ std::string no_number(const std::string& path, const std::vector<SceneNumber>& n
   return "the scene states no number \"" + path + "\"; " +
          (near ? "did you mean \"" + *near + "\"?"
                : "write it into the scene, or state it with --set " + path + "=VALUE");
+}
+
+/// The standard deviation of a number: "0.1 kn", or "10 %" of the number.
+double read_deviation(const std::string& text, const SceneNumber& number) {
+  const bool is_percent = text.ends_with('%');
+  const auto read =
+      number_in_unit(is_percent ? text.substr(0, text.size() - 1) : text, is_percent ? "" : number.unit);
+  if (!read || !(*read > 0))
+    throw std::invalid_argument(
+        number.path + " = " + formats::format(number.value) + (number.unit.empty() ? "" : " " + number.unit) +
+        " cannot have the standard deviation \"" + text + "\"; give a positive number" +
+        (number.unit.empty() ? "" : " with a unit such as " + number.unit) + ", or 5% of it");
+  return is_percent ? 0.01 * *read * std::abs(number.value) : *read;
 }
 
 /// Adds those parameters of a part or law that are reals with a value.
@@ -111,11 +125,15 @@ std::vector<SceneNumber> chosen_numbers(runs::PreparedScene& scene, const std::v
     if (std::ranges::find(numbers, parameter.path, &SceneNumber::path) == numbers.end())
       numbers.push_back(std::move(parameter));
   std::vector<bool> is_chosen(numbers.size(), false);
-  for (const std::string& path : paths) {
+  for (const std::string& words : paths) {
+    const std::string path = words.substr(0, words.find('='));
     const bool is_part = path.find('.') != std::string::npos;
     bool is_known = false;
-    for (std::size_t n = 0; n < (is_part ? numbers.size() : written); ++n)
-      if (is_below(numbers[n].path, path)) is_chosen[n] = is_known = true;
+    for (std::size_t n = 0; n < (is_part ? numbers.size() : written); ++n) {
+      if (!is_below(numbers[n].path, path)) continue;
+      is_chosen[n] = is_known = true;
+      if (path != words) numbers[n].deviation = read_deviation(words.substr(path.size() + 1), numbers[n]);
+    }
     if (!is_known) throw std::invalid_argument(no_number(path, numbers));
   }
   std::vector<SceneNumber> some;

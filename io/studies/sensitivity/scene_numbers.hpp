@@ -14,6 +14,7 @@ struct SceneNumber {
   double value = 0;                     // the number as written
   std::string unit;                     // its unit as written, such as "kn"; empty: none
   std::vector<FollowingKey> keys = {};  // keys that follow the number; none: the key is `path`
+  double deviation = 0;                 // its standard deviation in its unit; 0: not known
   /// The changes of the scene to another value of this number.
   std::vector<formats::Change> to(double other) const;
 };
@@ -29,7 +30,10 @@ std::vector<SceneNumber> parameters_of(const scenes::LoadedScene& loaded, Regist
 
 /// The numbers of a scene that `paths` name: each path names a number, or a table or array of numbers. A path
 /// to a table of one part, such as "elements.top-wing", also names the parameters of that part. Without
-/// paths, all numbers of the tables. Throws std::invalid_argument with a sentence if a path names no number.
+/// paths, all numbers of the tables. A path may be followed by the standard deviation of its numbers, with a
+/// unit or in percent of them: "ship.speed=0.1 kn", "elements.top-wing.twine=10 %". Throws
+/// std::invalid_argument with a sentence if a path names no number, or a deviation cannot be that of its
+/// numbers.
 std::vector<SceneNumber> chosen_numbers(runs::PreparedScene& scene, const std::vector<std::string>& paths);
 
 }  // namespace netloft::studies

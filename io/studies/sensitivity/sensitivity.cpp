@@ -195,6 +195,19 @@ double effect_of_percent(const NumberEffect& effect, std::size_t f) {
   return 0.01 * std::abs(effect.number.value) * effect.per_unit[f];
 }
 
+double typical_effect(const NumberEffect& effect, std::size_t f) {
+  return effect.number.deviation > 0 ? effect.number.deviation * effect.per_unit[f]
+                                     : effect_of_percent(effect, f);
+}
+
+double propagated_deviation(const Sensitivities& found, std::size_t f) {
+  double sum = 0;
+  for (const NumberEffect& effect : found.effects)
+    if (effect.number.deviation > 0 && effect.why_not.empty())
+      sum += typical_effect(effect, f) * typical_effect(effect, f);
+  return std::sqrt(sum);
+}
+
 bool depends_on_step(const Sensitivities& found, const NumberEffect& effect, std::size_t f) {
   if (effect.by_long_step.empty()) return false;
   const double size = 0.01 * std::abs(effect.number.value);

@@ -67,6 +67,16 @@ std::vector<std::size_t> chosen_figures(const results::Result& result, const std
 /// Change of figure `f` when the number increases by one percent of its size.
 double effect_of_percent(const NumberEffect& effect, std::size_t f);
 
+/// Change of figure `f` when the number increases by its standard deviation or, if that is not known, by one
+/// percent.
+double typical_effect(const NumberEffect& effect, std::size_t f);
+
+/// The standard deviation of figure `f` due to those of the numbers, if these are independent, to first
+/// order:
+///   σ_f² = Σ (∂f/∂p σ_p)²                                                                   (3)
+/// 0 if no number has a deviation.
+double propagated_deviation(const Sensitivities& found, std::size_t f);
+
 /// Whether the derivative of figure `f` is another one with the long step.
 bool depends_on_step(const Sensitivities& found, const NumberEffect& effect, std::size_t f);
 

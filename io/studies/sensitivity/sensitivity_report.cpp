@@ -21,8 +21,7 @@ constexpr std::size_t kRows = 8, kPaths = 3;
 // rounding.
 constexpr double kNoEffect = 1e-6;
 
-std::string with_unit(double value, const std::string& unit) {
-  const std::string text = fmt::format("{:.4g}", value);
+std::string text_with_unit(const std::string& text, const std::string& unit) {
   return unit.empty() || unit == "1" ? text : text + " " + unit;
 }
 
@@ -31,7 +30,19 @@ std::string unit_of_ratio(const std::string& figure, const std::string& number) 
   return number.empty() || number == "1" ? above : above + " per " + number;
 }
 
-double size_of(const NumberEffect& effect, std::size_t f) { return std::abs(effect_of_percent(effect, f)); }
+double size_of(const NumberEffect& effect, std::size_t f) { return std::abs(typical_effect(effect, f)); }
+
+bool has_deviations(const Sensitivities& found) {
+  return std::ranges::any_of(found.effects, [](const NumberEffect& e) { return e.number.deviation > 0; });
+}
+
+/// The number with its standard deviation, if that is known.
+std::string value_of(const SceneNumber& number) {
+  const std::string value = fmt::format("{:.4g}", number.value);
+  return number.deviation > 0
+             ? text_with_unit(value + fmt::format(" ± {:.2g}", number.deviation), number.unit)
+             : text_with_unit(value, number.unit);
+}
 
 /// The effects on a figure, the largest first.
 std::vector<const NumberEffect*> ranked(const Sensitivities& found, std::size_t f) {
@@ -45,25 +56,31 @@ std::vector<const NumberEffect*> ranked(const Sensitivities& found, std::size_t 
   return effects;
 }
 
+std::string row_of(const Sensitivities& found, const NumberEffect& effect, std::size_t f) {
+  const results::NamedScalar& figure = found.figures[f];
+  const double change = typical_effect(effect, f);
+  const std::string share =
+      figure.value != 0 ? fmt::format("{:+.2g} %", 100 * change / std::abs(figure.value)) : "";
+  return fmt::format(
+      "  {:<44} {:>18} {:>16} {:>10}   {}{}\n", effect.number.path, value_of(effect.number),
+      text_with_unit(fmt::format("{:+.3g}", change), figure.unit), share,
+      fmt::format("{:+.3g} {}", effect.per_unit[f], unit_of_ratio(figure.unit, effect.number.unit)),
+      depends_on_step(found, effect, f) ? "   depends on the step" : "");
+}
+
 std::string table_of(const Sensitivities& found, std::size_t f) {
   const results::NamedScalar& figure = found.figures[f];
-  std::string text = fmt::format("\n{} = {}\n", figure.name, with_unit(figure.value, figure.unit));
+  const double deviation = propagated_deviation(found, f);
+  std::string text =
+      fmt::format("\n{} = {}\n", figure.name,
+                  text_with_unit(fmt::format("{:.4g}", figure.value) +
+                                     (deviation > 0 ? fmt::format(" ± {:.2g}", deviation) : std::string()),
+                                 figure.unit));
   const auto effects = ranked(found, f);
   if (effects.empty()) return text + "  depends on none of these numbers\n";
-  text += fmt::format("  {:<44} {:>14} {:>16} {:>10}   {}\n", "number", "value", "1 % more of it", "",
-                      "one unit more");
-  for (std::size_t i = 0; i < std::min(kRows, effects.size()); ++i) {
-    const NumberEffect& effect = *effects[i];
-    const double change = effect_of_percent(effect, f);
-    const std::string share =
-        figure.value != 0 ? fmt::format("{:+.2g} %", 100 * change / std::abs(figure.value)) : "";
-    text += fmt::format(
-        "  {:<44} {:>14} {:>16} {:>10}   {}{}\n", effect.number.path,
-        with_unit(effect.number.value, effect.number.unit),
-        fmt::format("{:+.3g}{}", change, figure.unit == "1" ? "" : " " + figure.unit), share,
-        fmt::format("{:+.3g} {}", effect.per_unit[f], unit_of_ratio(figure.unit, effect.number.unit)),
-        depends_on_step(found, effect, f) ? "   depends on the step" : "");
-  }
+  text += fmt::format("  {:<44} {:>18} {:>16} {:>10}   {}\n", "number", "value",
+                      has_deviations(found) ? "a deviation more" : "1 % more of it", "", "one unit more");
+  for (std::size_t i = 0; i < std::min(kRows, effects.size()); ++i) text += row_of(found, *effects[i], f);
   for (const NumberEffect& effect : found.effects)
     if (effect.why_not.empty() && !std::isfinite(effect.per_unit[f]))
       text += "  " + effect.number.path + ": the figure is not defined a little beside this number\n";
@@ -95,14 +112,17 @@ std::string sensitivity_text(const Sensitivities& found, const std::vector<std::
 }
 
 formats::BarChart sensitivity_bars(const Sensitivities& found, const std::vector<std::size_t>& figures) {
-  formats::BarChart chart{"change [%]", {"when the number grows by 1 %"}, {}};
+  formats::BarChart chart{
+      "change [%]",
+      {has_deviations(found) ? "when the number grows by its deviation" : "when the number grows by 1 %"},
+      {}};
   for (const std::size_t f : figures) {
     const results::NamedScalar& figure = found.figures[f];
     if (figure.value == 0 || !std::isfinite(figure.value)) continue;
     auto& group = chart.groups.emplace_back(formats::BarChart::Group{figure.name, {}});
     for (const NumberEffect* effect : ranked(found, f)) {
       if (group.rows.size() == kRows) break;
-      const double percent = 100 * effect_of_percent(*effect, f) / std::abs(figure.value);
+      const double percent = 100 * typical_effect(*effect, f) / std::abs(figure.value);
       group.rows.push_back({effect->number.path, {{percent, 0}}});
     }
   }
@@ -115,9 +135,11 @@ std::string sensitivity_json(const Sensitivities& found, const std::vector<std::
   for (const std::size_t f : figures) {
     const results::NamedScalar& figure = found.figures[f];
     of.push_back({{"name", figure.name}, {"value", json_of(figure.value)}, {"unit", figure.unit}});
+    if (has_deviations(found)) of.back()["deviation"] = json_of(propagated_deviation(found, f));
   }
   for (const NumberEffect& effect : found.effects) {
     Json row{{"path", effect.number.path}, {"value", effect.number.value}, {"unit", effect.number.unit}};
+    if (effect.number.deviation > 0) row["deviation"] = effect.number.deviation;
     if (!effect.why_not.empty()) {
       row["why_not"] = effect.why_not;
     } else {

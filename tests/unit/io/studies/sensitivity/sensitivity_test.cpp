@@ -193,6 +193,19 @@ TEST(SceneNumbers, OfAPartIncludeThoseOfTheCatalogue) {
   EXPECT_GT(std::abs(derivative(found, "drag/all/x", "elements.top-wing.twine.diameter")), 1e4);
 }
 
+// The sum of squares of the effects of two deviations, one of them in percent.
+TEST(Sensitivity, PropagatesStandardDeviations) {
+  AtRest rope("hanging-rope.toml", {"analysis.tolerance=1e-12"});
+  const Sensitivities found = rope.to({"parts.rope.length=2 cm", "parts.rope.rope.EA=10%", "water.density"});
+  const std::size_t f = place_of(found, "end_tension");
+  const double by_length = 0.02 * derivative(found, "end_tension", "parts.rope.length"),
+               by_EA = 10 * derivative(found, "end_tension", "parts.rope.rope.EA");
+  EXPECT_NEAR(propagated_deviation(found, f), std::hypot(by_length, by_EA), 1e-12);
+  EXPECT_EQ(propagated_deviation(rope.to({"parts.rope.length"}), f), 0);
+  for (const char* wrong : {"parts.rope.length=2 kg", "parts.rope.length=", "parts.rope.length=-1 cm"})
+    EXPECT_THROW(rope.numbers({wrong}), std::invalid_argument) << wrong;
+}
+
 TEST(SceneNumbers, AreNamedIfAPathIsWrong) {
   AtRest rope("hanging-rope.toml", {});
   try {
