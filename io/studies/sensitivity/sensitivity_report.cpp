@@ -112,10 +112,7 @@ std::string sensitivity_text(const Sensitivities& found, const std::vector<std::
 }
 
 formats::BarChart sensitivity_bars(const Sensitivities& found, const std::vector<std::size_t>& figures) {
-  formats::BarChart chart{
-      "change [%]",
-      {has_deviations(found) ? "when the number grows by its deviation" : "when the number grows by 1 %"},
-      {}};
+  formats::BarChart chart{"change [%]", {has_deviations(found) ? "one deviation more" : "1 % more"}, {}};
   for (const std::size_t f : figures) {
     const results::NamedScalar& figure = found.figures[f];
     if (figure.value == 0 || !std::isfinite(figure.value)) continue;
