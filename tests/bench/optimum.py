@@ -63,7 +63,7 @@ class Bench:
         return subprocess.run([self.netloft, *words], cwd=self.folder, capture_output=True, text=True, check=False)
 
     def settings(self, variables):
-        return [f"gear.nodes={self.nodes}", *(word for v in variables for word in v.set())]
+        return [f"gear.nodes={self.nodes}", "analysis.tolerance=1e-9", *(word for v in variables for word in v.set())]
 
     def run(self, words):
         """A run of the scene, as JSON."""

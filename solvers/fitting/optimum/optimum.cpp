@@ -267,7 +267,8 @@ class Search {
       return shorten(0.25 * length);
     }
     take(next, *f);
-    const double gained = merit(at_.value, at_.point.violation) - merit(next.value, next.point.violation);
+    double gained = merit(at_.value, at_.point.violation) - merit(next.value, next.point.violation);
+    if (is_feasible(at_) && is_feasible(next)) gained = std::max(gained, at_.value - next.value);
     const double part = (gained + kNoise) / (std::max(promised, 0.0) + kNoise);
     next.point.is_accepted = part > kAccepted;
     if (!next.point.is_accepted) {
@@ -341,7 +342,8 @@ class Search {
     done_.converged = converged;
     done_.reason = std::move(reason);
     if (at_.gradient.size() == 0) return std::move(done_);
-    const Local& best = converged ? at_ : best_;
+    const bool is_as_good = is_feasible(at_) && at_.value <= best_.value + options_.feasibility;
+    const Local& best = converged || is_as_good ? at_ : best_;
     done_.best = best.point;
     done_.is_feasible = is_feasible(best);
     const Vector r = best.gradient - best.slopes.transpose() * best.multipliers;

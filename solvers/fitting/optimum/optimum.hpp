@@ -50,8 +50,9 @@ struct OptimumPoint {
 struct Optimum {
   bool converged = false;
   std::string reason;  // why the search ended, as a sentence
-  OptimumPoint best;  // the accepted point with the best f_0 among those that satisfy all constraints, or, if
-                      // there are none, with the least violation; without parameters: there is no point
+  // The last accepted point, unless another one has a better f_0 (by more than the allowed violation) and
+  // satisfies all constraints, or has less violation if none does. Without parameters: there is no point.
+  OptimumPoint best;
   std::vector<double> constraint_prices;  // λ_j, in units of f_0 per unit of f_j; 0: f_j is at no limit
   std::vector<double> parameter_prices;   // r_i, in units of f_0 per unit of θ_i; 0: θ_i is at no limit
   std::vector<OptimumPoint> history;      // all points in their order; slopes are left out
@@ -62,9 +63,9 @@ struct Optimum {
 /// Optimization, 2006, ch. 18). A step d of the scaled parameters minimises
 ///   g·d + ½ d·B d + μ t,   low_j − t ≤ f_j + ∇f_j·d ≤ high_j + t,   |d_i| ≤ Δ,   t ≥ 0             (4)
 /// B approximates the Hessian of f_0 − Σ λ_j f_j (damped BFGS), t is the violation that remains. A step is
-/// accepted if f_0 + μ × violation falls by a part of what (4) promises; Δ grows or shrinks by that part. If
-/// the model has no solution at the new point, the search stays where it is and shortens Δ. `on_point` is
-/// called after every prediction.
+/// accepted if f_0 + μ × violation, or f_0 alone between points that satisfy all constraints, falls by a part
+/// of what (4) promises; Δ grows or shrinks by that part. If the model has no solution at the new point, the
+/// search stays where it is and shortens Δ. `on_point` is called after every prediction.
 Optimum optimise(Model& model, const OptimumProblem& problem, const OptimumOptions& options = {},
                  const std::function<void(const OptimumPoint&)>& on_point = {});
 
