@@ -31,7 +31,7 @@ enum netloft_search_trait {
   NETLOFT_SEARCH_COMPRESSION = 1 << 22, /* some stiffness of slack members is not zero */
   NETLOFT_SEARCH_MEMBERS =
       1 << 23, /* `members` works: members bear tension, and all nodes move along x, y, z */
-  NETLOFT_SEARCH_BENDING = 1 << 24 /* some elastic forces are not those of members (`bending`) */
+  NETLOFT_SEARCH_BENDING = 1 << 25 /* some elastic forces are not those of members (`bending`) */
 };
 
 /* The end of a stage, as assessed by the host. */
