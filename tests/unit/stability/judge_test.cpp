@@ -121,7 +121,7 @@ TEST(Judge, ToSwingOnIsRightOnlyWhereNobodyKnowsAPlaceToRest) {
   e.solution.status = SolveStatus::unstable, e.stability = Stability::unstable;
   const HardCase c;
   EXPECT_EQ(judge(c, std::nullopt, e).where, Where::unstable);
-  e.solution.stability = Stability::swinging;
+  e.solution.stability = Stability::swinging, e.solution.growing.frequency = 1;
   EXPECT_EQ(judge(c, std::nullopt, e).where, Where::flutters);
   EXPECT_EQ(where(e), Where::unstable);
   EXPECT_TRUE(is_right(Where::flutters) && !is_answer(Where::flutters) && !is_claimed_wrong(Where::flutters));
