@@ -9,8 +9,8 @@ namespace netloft::automatic {
 /// Whether restarts are possible in this scene, as far as can be known before an equilibrium has been found.
 bool may_restart(const Search& search, const Options& options);
 
-/// Looks for other equilibria than `first`. If members bear all loads by tension, the energy is convex, and
-/// there is none of less energy. Other shapes are therefore looked for if all forces have an energy, and if
+/// Looks for equilibria other than `first`. If members bear all loads by tension, the energy is convex, and
+/// no other equilibrium has less energy. Other shapes are therefore looked for if all forces have an energy, and if
 /// another elastic force bears more than kOnlyAStart of the load:
 ///   compression: parts in compression fold in several ways. The first restart is from the shape without
 ///     resistance to compression, all others are from perturbations of the best shape so far.
