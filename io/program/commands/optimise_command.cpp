@@ -22,6 +22,15 @@ fs::path make_folder(const OptimiseOptions& o, const studies::OptimumFile& file)
   return folder;
 }
 
+constexpr const char *kHistoryFile = "history.jsonl", *kSceneFile = "scene.toml",
+                     *kPictureFile = "history.svg";
+
+/// Throws UsageError if an output would replace a file that the scene is read from.
+void require_places(const fs::path& folder, const runs::PreparedScene& scene) {
+  for (const char* name : {kHistoryFile, kSceneFile, kPictureFile})
+    require_place((folder / name).string(), paths_of(scene.loaded()));
+}
+
 /// Prints the answer and writes its scene and its picture.
 int end_with(const OptimiseOptions& o, Terminal& terminal, const studies::SceneOptimum& done,
              const fs::path& source, const fs::path& folder) {
@@ -29,11 +38,11 @@ int end_with(const OptimiseOptions& o, Terminal& terminal, const studies::SceneO
   print_line(o.json ? studies::optimum_json(done) : studies::optimum_text(done));
   if (done.is_interrupted)
     return end_interrupted(
-        terminal, "call it again to go on; " + (folder / "history.jsonl").string() + " has what was solved");
+        terminal, "call it again to go on; " + (folder / kHistoryFile).string() + " has what was solved");
   return write_last(terminal, done.found.converged ? kDone : kNotConverged, [&] {
     if (done.found.best.parameters.empty()) return;
-    formats::write_keeping(folder / "scene.toml", studies::scene_text(done, source, folder));
-    formats::write_keeping(folder / "history.svg", formats::draw_svg(studies::optimum_plot(done)));
+    formats::write_keeping(folder / kSceneFile, studies::scene_text(done, source, folder));
+    formats::write_keeping(folder / kPictureFile, formats::draw_svg(studies::optimum_plot(done)));
   });
 }
 
@@ -61,7 +70,8 @@ int optimise_command(const OptimiseOptions& options) {
         terminal);
   if (diagnostics.warnings()) terminal.say(diagnostics);
   const fs::path folder = make_folder(options, file);
-  studies::PointHistory history(folder / "history.jsonl", checked.inputs);
+  require_places(folder, *checked.scene);
+  studies::PointHistory history(folder / kHistoryFile, checked.inputs);
   catch_interrupts();
   std::size_t points = 0;
   const auto on_point = [&](const OptimumPoint&) {

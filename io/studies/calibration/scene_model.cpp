@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 namespace netloft::studies {
 
@@ -20,13 +19,6 @@ constexpr int kIterations = 30;  // limit of iterations from the previous equili
 double figure_named(const std::vector<StudyFigure>& figures, const std::string& name) {
   const auto at = std::find_if(figures.begin(), figures.end(), [&](const auto& f) { return f.name == name; });
   return at == figures.end() ? std::numeric_limits<double>::quiet_NaN() : at->value;
-}
-
-/// The name of a figure of a study, such as "gear/mouth/headline_height", in the result of a run.
-std::string name_in_result(const std::string& figure) {
-  for (const std::string_view group : {"results/", "gear/"})
-    if (figure.starts_with(group)) return figure.substr(group.size());
-  return figure;
 }
 
 bool all_finite(const std::vector<double>& numbers) {
@@ -144,29 +136,25 @@ std::optional<std::vector<std::vector<double>>> SceneModel::slopes(const std::ve
 bool SceneModel::add_slopes(std::size_t scene, const std::vector<double>& parameters,
                             std::vector<std::vector<double>>& rows) {
   if (last_[scene].parameters != parameters && !figures(scene, parameters)) return false;
-  SensitivityRequest request{.figures = {}, .numbers = {}, .interrupt = watch_.interrupt};
+  std::vector<std::string> figures_here;
+  std::vector<SceneNumber> numbers;
   std::vector<std::size_t> of_row, of_column;
   for (std::size_t m = 0; m < rows.size(); ++m)
     if (file_.measured[m].scene == scene) {
-      request.figures.push_back({.name = name_in_result(file_.measured[m].figure)});
+      figures_here.push_back(file_.measured[m].figure);
       of_row.push_back(m);
     }
   for (std::size_t v = 0; v < parameters.size(); ++v)
     if (std::ranges::count(file_.variables[v].scenes, scene) > 0) {
-      const Variable& variable = file_.variables[v].variable;
-      request.numbers.push_back({variable.name, parameters[v], variable.unit, variable.keys});
+      numbers.push_back(number_of(file_.variables[v].variable, parameters[v]));
       of_column.push_back(v);
     }
-  const Sensitivities found = find_sensitivities(*last_[scene].prepared, last_[scene].solution, request);
-  if (found.is_interrupted) return false;
-  trouble_ = file_.scenes[scene].name + ": ";
-  for (std::size_t n = 0; n < found.effects.size(); ++n) {
-    const NumberEffect& effect = found.effects[n];
-    if (!effect.why_not.empty()) return trouble_ += effect.number.path + ": " + effect.why_not, false;
-    if (!all_finite(effect.per_unit)) return trouble_ += "a figure has no derivatives there", false;
-    for (std::size_t f = 0; f < of_row.size(); ++f) rows[of_row[f]][of_column[n]] = effect.per_unit[f];
-  }
-  return true;
+  const FigureSlopes slopes =
+      slopes_of(*last_[scene].prepared, last_[scene].solution, figures_here, numbers, watch_.interrupt);
+  if (slopes.rows.empty()) trouble_ = file_.scenes[scene].name + ": " + slopes.why_not;
+  for (std::size_t f = 0; f < slopes.rows.size(); ++f)
+    for (std::size_t n = 0; n < numbers.size(); ++n) rows[of_row[f]][of_column[n]] = slopes.rows[f][n];
+  return !slopes.rows.empty();
 }
 
 }  // namespace netloft::studies

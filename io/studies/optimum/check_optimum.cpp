@@ -51,7 +51,7 @@ class OptimumInspection {
     known_ = figures_of(*scene, at_start);
     take_objective();
     for (const FigureLimits& row : file_.constraints) take_constraint(row);
-    scene_ = scene;
+    checked_.scene = scene;
     for (const OptimumVariable& v : file_.variables) take_variable(v);
     find_inputs(*scene);
     return std::move(checked_);
@@ -79,21 +79,17 @@ class OptimumInspection {
     return scene;
   }
 
-  /// The figure of a name; nullptr, after an error, if there is none, or none with derivatives.
+  /// The figure of a name; nullptr, after an error, if there is none.
   const StudyFigure* find(const std::string& name, const formats::Place& place) {
     std::vector<std::string> names;
     for (const StudyFigure& figure : known_) {
-      if (figure.name.starts_with("held/")) continue;
       if (figure.name == name) return &figure;
       names.push_back(figure.name);
     }
     const auto near = nearest(name, names);
-    diagnostics_.error(place,
-                       name.starts_with("held/") ? name + " has no derivatives"
-                                                 : "the scene does not report a figure \"" + name + "\"",
-                       name.starts_with("held/") ? "request the reaction in the [results] of the scene"
-                       : near                    ? "did you mean \"" + *near + "\"?"
-                                                 : "such as results/NAME, gear/mouth/headline_height");
+    diagnostics_.error(
+        place, "the scene does not report a figure \"" + name + "\"",
+        near ? "did you mean \"" + *near + "\"?" : "such as results/NAME, gear/mouth/headline_height");
     return nullptr;
   }
 
@@ -170,7 +166,7 @@ class OptimumInspection {
     const std::string cure =
         "give it a start, such as start = \"" + formats::format(variable.interval->low, variable.unit) + "\"";
     try {
-      const auto found = chosen_numbers(*scene_, {key.path});
+      const auto found = chosen_numbers(*checked_.scene, {key.path});
       if (found.size() > 1) throw std::invalid_argument(key.path + " is a table; name one of its numbers");
       const SceneNumber& number = found.front();
       const auto value = number_in_unit(formats::format(number.value, number.unit), variable.unit);
@@ -202,7 +198,6 @@ class OptimumInspection {
   std::map<std::string, formats::Place> places_;  // places of keys in the file
   formats::Diagnostics scene_faults_;             // those of the scene that was opened last
   std::vector<StudyFigure> known_;                // figures that the scene reports
-  std::shared_ptr<runs::PreparedScene> scene_;    // the scene at its own numbers
   CheckedOptimum checked_;
 };
 

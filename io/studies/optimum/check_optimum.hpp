@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/registry/registry.hpp"
+#include "io/runs/prepared_scene.hpp"
 #include "io/studies/optimum/optimum_file.hpp"
 #include "solvers/fitting/optimum/optimum.hpp"
 
 #include <functional>
+#include <memory>
 
 namespace netloft::studies {
 
@@ -16,6 +18,7 @@ struct CheckedOptimum {
   double objective_factor = 1;  // the objective in the unit of the file, per unit of its figure
   std::string inputs;           // hash of all that determines the figures at a point
   bool refused = false;         // true: a plugin is missing or was rejected
+  std::shared_ptr<runs::PreparedScene> scene;  // the scene at its own numbers
 };
 
 /// Opens the scene, and opens it again with each variable at its start, a little beside that, and at both

@@ -106,11 +106,11 @@ class FiguresModel : public Model {
     KnownPoint known{p, {}, {}};
     runs::CaseSource source = source_;
     formats::append(source.changes, formats::read_changes(words_of(file_, p)));
-    last_.scene = std::make_unique<runs::PreparedScene>(
-        std::move(source), registry_, base_.scene ? base_.scene->factorisations() : nullptr);
-    // The mesh keeps its topology, so that figures are smooth functions of counts and mesh sizes.
-    const auto state = base_.scene ? last_.scene->prepare_like(*base_.scene) : last_.scene->prepare();
-    if (state != runs::PreparedScene::State::ready) {
+    last_.scene =
+        std::make_unique<runs::PreparedScene>(std::move(source), registry_, checked_.scene->factorisations());
+    // All points have the mesh topology of the scene at its own numbers, so that figures are functions of the
+    // variables alone, and smooth ones also for counts and mesh sizes.
+    if (last_.scene->prepare_like(*checked_.scene) != runs::PreparedScene::State::ready) {
       known.reason = first_fault(last_.scene->diagnostics());
     } else {
       ++solves_;
@@ -140,26 +140,15 @@ class FiguresModel : public Model {
 
   /// Finds the derivatives at the accepted point, and stores them.
   bool differentiate() {
-    SensitivityRequest request{.figures = {}, .numbers = {}, .interrupt = watch_.interrupt};
-    for (const std::string& name : checked_.figures)
-      request.figures.push_back({.name = name.substr(name.find('/') + 1)});
-    for (std::size_t v = 0; v < accepted_.size(); ++v) {
-      const Variable& variable = file_.variables[v].variable;
-      request.numbers.push_back({variable.name, accepted_[v], variable.unit, variable.keys});
-    }
-    const Sensitivities found = find_sensitivities(*base_.scene, base_.solution, request);
-    if (found.is_interrupted) return false;
+    std::vector<SceneNumber> numbers;
+    for (std::size_t v = 0; v < accepted_.size(); ++v)
+      numbers.push_back(number_of(file_.variables[v].variable, accepted_[v]));
+    const FigureSlopes slopes =
+        slopes_of(*base_.scene, base_.solution, checked_.figures, numbers, watch_.interrupt);
+    if (slopes.rows.empty()) return trouble_ = slopes.why_not, false;
     KnownPoint known = *history_.find(accepted_);
-    for (std::size_t f = 0; f < checked_.figures.size(); ++f) {
-      std::vector<double> row;
-      for (const NumberEffect& effect : found.effects) {
-        if (!effect.why_not.empty()) return trouble_ = effect.number.path + ": " + effect.why_not, false;
-        row.push_back(effect.per_unit[f]);
-      }
-      if (std::ranges::any_of(row, [](double slope) { return !std::isfinite(slope); }))
-        return trouble_ = checked_.figures[f] + " has no derivatives there", false;
-      known.slopes[checked_.figures[f]] = std::move(row);
-    }
+    for (std::size_t f = 0; f < checked_.figures.size(); ++f)
+      known.slopes[checked_.figures[f]] = slopes.rows[f];
     history_.store(std::move(known));
     return true;
   }

@@ -93,6 +93,10 @@ std::vector<formats::Change> SceneNumber::to(double other) const {
   return all;
 }
 
+SceneNumber number_of(const Variable& variable, double value) {
+  return {variable.name, value, variable.unit, variable.keys};
+}
+
 std::vector<SceneNumber> numbers_of(const formats::Value& tables) {
   NumberCollector all;
   all.collect(tables, "");

@@ -19,6 +19,9 @@ struct SceneNumber {
   std::vector<formats::Change> to(double other) const;
 };
 
+/// A variable of a study at a value.
+SceneNumber number_of(const Variable& variable, double value);
+
 /// The numbers in the tables of a scene, in the order of the file. Left out are the tables that describe how
 /// the scene is solved and reported, not what it is: analysis, results, catalogue, accept and gear.nodes.
 std::vector<SceneNumber> numbers_of(const formats::Value& tables);

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 namespace netloft::studies {
@@ -144,6 +145,13 @@ class Sensitivity {
   const SensitivityRequest& request_;
 };
 
+/// The name of a figure of a study, such as "gear/mouth/headline_height", in the result of a run.
+std::string name_in_result(const std::string& figure) {
+  for (const std::string_view group : {"results/", "gear/"})
+    if (figure.starts_with(group)) return figure.substr(group.size());
+  return figure;
+}
+
 bool is_in_group(const std::string& name, const std::string& group) {
   return name == group || (name.starts_with(group) && name[group.size()] == '/');
 }
@@ -164,6 +172,24 @@ Sensitivities find_sensitivities(runs::PreparedScene& scene, const Solution& sol
     found.is_interrupted = true;
   }
   return found;
+}
+
+FigureSlopes slopes_of(runs::PreparedScene& scene, const Solution& solution,
+                       const std::vector<std::string>& figures, const std::vector<SceneNumber>& numbers,
+                       const std::atomic<bool>* interrupt) {
+  SensitivityRequest request{.figures = {}, .numbers = numbers, .interrupt = interrupt};
+  for (const std::string& figure : figures) request.figures.push_back({.name = name_in_result(figure)});
+  const Sensitivities found = find_sensitivities(scene, solution, request);
+  if (found.is_interrupted) return {};
+  FigureSlopes slopes{std::vector<std::vector<double>>(figures.size()), {}};
+  for (const NumberEffect& effect : found.effects) {
+    if (!effect.why_not.empty()) return {{}, effect.number.path + ": " + effect.why_not};
+    for (std::size_t f = 0; f < figures.size(); ++f) {
+      if (!std::isfinite(effect.per_unit[f])) return {{}, figures[f] + " has no derivatives there"};
+      slopes.rows[f].push_back(effect.per_unit[f]);
+    }
+  }
+  return slopes;
 }
 
 std::vector<results::NamedScalar> all_figures(const results::Result& result) {

@@ -56,6 +56,17 @@ struct SensitivityRequest {
 Sensitivities find_sensitivities(runs::PreparedScene& scene, const Solution& solution,
                                  const SensitivityRequest& request);
 
+/// The derivatives of some figures with respect to some numbers.
+struct FigureSlopes {
+  std::vector<std::vector<double>> rows;  // a row per figure, a column per number; empty: there are none
+  std::string why_not;                    // why there are none, as a sentence; empty after an interruption
+};
+
+/// The derivatives of figures of a study ("results/NAME", "gear/…", "held/…") at the equilibrium of a scene.
+FigureSlopes slopes_of(runs::PreparedScene& scene, const Solution& solution,
+                       const std::vector<std::string>& figures, const std::vector<SceneNumber>& numbers,
+                       const std::atomic<bool>* interrupt);
+
 /// The [results] of a scene, the figures of its gear, and the forces of its holds.
 std::vector<results::NamedScalar> all_figures(const results::Result& result);
 

@@ -177,6 +177,9 @@ ALL = [
          {"prepare": "optimum results/lowst_z m > o.toml", "holds": "test ! -e o.optimum"}),
         ("netloft optimise o.toml", 2, 'results/lowest_z is a length in m, which "N" cannot express',
          {"prepare": "optimum results/lowest_z N > o.toml"}),
+        ("netloft optimise o.toml -o .", 2, "scene.toml cannot be written: the scene is read from it",
+         {"prepare": "echo 'include = [\"gear-library/scenes/dead-weight-panel.toml\"]' > scene.toml; "
+                     "optimum results/lowest_z m | sed '1s/\".*\"/\"scene.toml\"/' > o.toml", "holds": "test ! -e scene.toml~"}),
         ("netloft run $panel --strategy deflation:by=deflation -o x.hdf", 2,
          'analysis.deflation.by: by = "deflation" leads back to deflation/deflation, which would call itself without end'),
         ("netloft plan $panel --strategy coarse-to-fine:by=coarse-to-fine", 2, "leads back to coarse-to-fine/coarse-to-fine"),
