@@ -16,16 +16,19 @@ using Vector = Eigen::VectorXd;
 using Index = Eigen::Index;
 
 // The trust region: its radius at the start, its largest, and the one at which the search ends, as fractions
-// of the range of a parameter.
+// of the range of a parameter. The values are chosen.
 constexpr double kFirstRadius = 0.2, kLargestRadius = 0.5, kLeastRadius = 1e-6;
 // The part of the promised decrease from which a step is accepted, and those below and above which Δ shrinks
-// and grows.
+// and grows (Nocedal and Wright, algorithm 4.1, whose first number may be anything from 0 to 1/4).
 constexpr double kAccepted = 1e-3, kPoor = 0.25, kGood = 0.75;
-// A change of the scaled f_0 that is noise of the model.
+// A change of the scaled f_0 that is noise of the model: equilibria have a relative tolerance of 1e-10, and
+// figures lose a digit to rounding.
 constexpr double kNoise = 1e-9;
-// A number counts as at its limit if it is closer to it than this, as a fraction of its size.
+// A constraint counts as at its limit if it is closer to it than this, as a fraction of its size: ten times
+// the violation that is allowed by default.
 constexpr double kAtLimit = 1e-5;
-// A parameter that is closer to an end of its range than this is put there.
+// A parameter that is closer to an end of its range than this is put there, because interior points
+// (quadratic.hpp) come near an end and never reach it. The value is chosen.
 constexpr double kAtEnd = 1e-8;
 
 Vector vector_of(const std::vector<double>& numbers) {

@@ -13,7 +13,9 @@ using Array = Eigen::ArrayXd;
 
 constexpr int kMostIterations = 100;  // a programme takes 10 to 30
 constexpr double kPrecise = 1e-14;    // product of slacks and multipliers at which the iteration ends
-constexpr double kInside = 0.995;     // part of the way to the nearest limit that a step goes
+// Part of the way to the nearest limit that a step goes. The value is chosen; it changes the number of
+// iterations and not the answer.
+constexpr double kInside = 0.995;
 
 /// The longest step ≤ 1 along `by` that keeps `at` above zero.
 double longest(const Array& at, const Array& by) {
