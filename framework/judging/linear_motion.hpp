@@ -11,8 +11,8 @@ namespace netloft {
 /// Values of the matrices of the linear motion M ÿ + C ẏ + K y = 0, with one sparsity pattern. Equation
 /// numbers up to (8) in this header are those of growth.hpp and cayley.hpp.
 struct LinearMotion {
-  std::vector<double> K, C, M;  // [N/m], [N s/m], [kg]
-  std::vector<double> convex;   // symmetric positive definite, an approximation of K [N/m]
+  std::vector<double> K = {}, C = {}, M = {};  // [N/m], [N s/m], [kg]
+  std::vector<double> convex = {};             // symmetric positive definite, an approximation of K [N/m]
   // Evaluates the change of K over the remaining Newton step, if a verdict depends on it. Returns an empty
   // vector if it is unknown.
   std::function<std::vector<double>()> K_error = {};

@@ -91,7 +91,8 @@ std::vector<Row> other_rows(const SceneOptimum& o) {
   results::Result result;
   for (const StudyFigure& f : o.before)
     (f.name.starts_with("results/") ? result.scalars : result.figures)
-        .push_back({.name = f.name.substr(f.name.find('/') + 1), .unit = f.unit, .value = f.value});
+        .push_back(
+            {.name = f.name.substr(f.name.find('/') + 1), .unit = f.unit, .doc = {}, .value = f.value});
   std::vector<Row> rows;
   for (const results::NamedScalar* key : results::key_figures(result)) {
     const bool is_scalar = results::find_scalar(result.scalars, key->name) == key;

@@ -35,10 +35,10 @@ std::vector<results::NamedScalar> joined(std::initializer_list<std::vector<resul
 /// The scenes at p − h and p + h, or why there are none. At an end of the range of the number, the scene
 /// itself takes the place of the one beyond it.
 struct Neighbours {
-  std::shared_ptr<runs::PreparedScene> below, above;
+  std::shared_ptr<runs::PreparedScene> below = nullptr, above = nullptr;
   double distance = 0;  // difference of the number between both
   double fraction = 0;  // difference between `above` and the scene, over the distance
-  std::string why_not;
+  std::string why_not = {};
 };
 
 class Sensitivity {
@@ -178,7 +178,7 @@ FigureSlopes slopes_of(runs::PreparedScene& scene, const Solution& solution,
                        const std::vector<std::string>& figures, const std::vector<SceneNumber>& numbers,
                        const std::atomic<bool>* interrupt) {
   SensitivityRequest request{.figures = {}, .numbers = numbers, .interrupt = interrupt};
-  for (const std::string& figure : figures) request.figures.push_back({.name = name_in_result(figure)});
+  for (const std::string& figure : figures) request.figures.emplace_back().name = name_in_result(figure);
   const Sensitivities found = find_sensitivities(scene, solution, request);
   if (found.is_interrupted) return {};
   FigureSlopes slopes{std::vector<std::vector<double>>(figures.size()), {}};

@@ -256,7 +256,10 @@ class Search {
     const Vector led = at_.rows + shift_ + at_.slopes * d;
     const double promised = merit(at_.value, at_.point.violation) -
                             merit(at_.value + at_.gradient.dot(d) + 0.5 * d.dot(bend_ * d), violation(led));
-    if (promised < kNoise * kNoise) return shift_.isZero(0) ? is_stuck_ = true : shorten(0.3 * length);
+    if (promised < kNoise * kNoise) {
+      is_stuck_ = shift_.isZero(0);
+      return is_stuck_ || shorten(0.3 * length);
+    }
     Local next;
     next.z = at_.z + d;
     for (double& z : next.z)
