@@ -26,7 +26,10 @@ bool have_same_elements(const std::unique_ptr<ElementFamily>& a, const std::uniq
 }  // namespace
 
 std::shared_ptr<const Layout> make_layout(Families families, const Scene& nodes, bool symmetric) {
-  auto layout = std::make_shared<Layout>(nodes.held, nodes.carried, nodes_of_bodies(nodes));
+  auto layout = std::make_shared<Layout>();
+  layout->held = nodes.held;
+  layout->carried = nodes.carried;
+  layout->bodies = nodes_of_bodies(nodes);
   layout->blocks = make_blocks(families, nodes, symmetric);
   layout->pattern = make_pattern(layout->blocks, Numbering(nodes), symmetric);
   return layout;

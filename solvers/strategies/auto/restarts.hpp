@@ -10,8 +10,8 @@ namespace netloft::automatic {
 bool may_restart(const Search& search, const Options& options);
 
 /// Looks for equilibria other than `first`. If members bear all loads by tension, the energy is convex, and
-/// no other equilibrium has less energy. Other shapes are therefore looked for if all forces have an energy, and if
-/// another elastic force bears more than kOnlyAStart of the load:
+/// no other equilibrium has less energy. Other shapes are therefore looked for if all forces have an energy,
+/// and if another elastic force bears more than kOnlyAStart of the load:
 ///   compression: parts in compression fold in several ways. The first restart is from the shape without
 ///     resistance to compression, all others are from perturbations of the best shape so far.
 ///   bending, of meshes held open, of bent ropes or netting, if the shape would not be stable without it:
