@@ -20,4 +20,12 @@ set(CPACK_COMPONENT_NETLOFT_DESCRIPTION "${PROJECT_DESCRIPTION}
  in a current and on the seabed. Elements, hydrodynamic laws and solvers are
  plugins; their authors need the headers in this package and nothing else.")
 set(CPACK_COMPONENT_ADAPTERS_DESCRIPTION "Solvers of SUNDIALS as plugins of Netloft")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-netloft)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+get_property(netloft_python_version GLOBAL PROPERTY NETLOFT_PYTHON_VERSION)  # the module is for this one only: "3.11"
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python${netloft_python_version}, python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-scipy, python3-xarray")
+set(CPACK_COMPONENT_PYTHON_DEPENDS netloft)
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "The package netloft of Python
+ Scenes, answers, arrays and derivatives of Netloft as objects.")
 include(CPack)

@@ -175,6 +175,7 @@ numerics_of_io=(
   io/gears/meshing/knot_graph.cpp      # least squares for the initial shape of a net: geometry, before there is a problem
   io/studies/compare/polish.cpp       # brings a reference to the round-off floor, through the boundary that solvers have
   io/program/templates/solver/my_solver.cpp io/program/templates/solver/my_solver_test.cpp  # a solver to begin with
+  io/python/module/python_solver.cpp   # hands the calls of solvers in Python on to the host
 )
 
 check_linear_algebra() {

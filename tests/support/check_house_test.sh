@@ -27,7 +27,7 @@ expect() {
 }
 
 "$copy/tests/support/check_house.sh" check_floors check_doors check_doors_of_others check_openings check_page_lengths check_comment_lengths >/dev/null || { echo 'the copy breaks the rules as it is' && exit 1; }
-wings=(formats gears scenes runs results pictures studies program)
+wings=(formats gears scenes runs results pictures studies program python)
 for ((i = 0; i + 1 < ${#wings[@]}; ++i)); do
   file=$(cd "$copy" && find "io/${wings[i]}" -name '*.hpp' | sort | head -n 1)
   expect check_floors "$file" "#include \"io/${wings[i + 1]}/anything.hpp\""

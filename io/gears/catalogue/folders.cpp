@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/catalogue/folders.hpp"
 
+#include "io/formats/files/installed_folder.hpp"
 #include "io/formats/toml/table_reader.hpp"
 
 #include <cstdlib>
@@ -12,12 +13,8 @@ namespace {
 
 std::filesystem::path library_folder() {
   std::error_code none;
-  auto folder = std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
-  for (; folder.has_relative_path(); folder = folder.parent_path()) {
-    const auto library = folder / "share/netloft/gear-library/catalogue";
-    if (std::filesystem::is_directory(library, none)) return library;
-  }
-  return {};
+  const auto library = formats::installed_folder() / "share/netloft/gear-library/catalogue";
+  return std::filesystem::is_directory(library, none) ? library : std::filesystem::path();
 }
 
 }  // namespace

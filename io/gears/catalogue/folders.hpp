@@ -11,8 +11,8 @@ namespace netloft::gears {
 
 /// The folders that are searched for catalogues, in this order: `own`, which a file names; those in the
 /// variable NETLOFT_CATALOGUE, separated by colons; and the gear library. The library is
-/// share/netloft/gear-library/catalogue beside the program or above it, so that the installation may be
-/// moved. A folder of the variable that cannot be read is an error.
+/// share/netloft/gear-library/catalogue of the installation. A folder of the variable that cannot be read is
+/// an error.
 std::vector<std::filesystem::path> catalogue_folders(formats::Diagnostics& diagnostics,
                                                      std::vector<std::filesystem::path> own = {});
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/files/installed_folder.hpp"
 #include "io/formats/files/whole_file.hpp"
 #include "io/program/commands/study_shared.hpp"
-#include "io/program/session/prefix.hpp"
 #include "io/program/session/print.hpp"
 #include "io/studies/sweep/engine_script.hpp"
 #include "io/studies/sweep/study_table.hpp"
@@ -42,7 +42,8 @@ int study_submit_command(const StudySubmitOptions& o) {
   const studies::Study study = read_study(folder);
   const studies::Engine engine = o.engine == "slurm" ? studies::Engine::slurm : studies::Engine::parallel;
   double seconds = 0;
-  studies::ScriptOptions script{(installed_prefix() / "bin" / "netloft").string(), o.plugins, 1, "", o.jobs};
+  const auto program = formats::installed_folder() / "bin" / "netloft";
+  studies::ScriptOptions script{program.string(), o.plugins, 1, "", o.jobs};
   script.chunk = studies::items_per_minute(study, folder, seconds);
   if (o.chunk > 0) script.chunk = std::min(static_cast<std::size_t>(o.chunk), study.items.size());
   script.why_chunk = why_chunk(o, script.chunk, seconds);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/program/session/find_plugins.hpp"
 
-#include "io/program/session/prefix.hpp"
+#include "io/formats/files/installed_folder.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -34,7 +34,7 @@ void add_known(Registry& registry) {
 #ifdef NETLOFT_STATIC
   for (const auto& [name, describe] : static_plugins()) registry.add_builtin(name, describe);
 #endif
-  registry.add_folder(installed_prefix() / "lib" / "netloft");
+  registry.add_folder(formats::installed_folder() / "lib" / "netloft");
 }
 
 }  // namespace

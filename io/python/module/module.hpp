@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <pybind11/pybind11.h>
+
+namespace netloft::python {
+
+// Each adds its classes and functions to the module.
+void bind_scenes(pybind11::module_& module);
+void bind_answers(pybind11::module_& module);
+void bind_stored(pybind11::module_& module);
+void bind_problem(pybind11::module_& module);
+
+}  // namespace netloft::python

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/python/module/opened_scene.hpp"
+
+#include <algorithm>
+
+namespace netloft::python {
+
+Registry& registry() {
+  static Registry& all = *new Registry;  // never destroyed: scenes and plugins may outlive the interpreter
+  return all;
+}
+
+std::mutex& reading() {
+  static std::mutex& mutex = *new std::mutex;
+  return mutex;
+}
+
+WrongScene::WrongScene(const formats::Diagnostics& all, bool is_refused)
+    : std::runtime_error(all.render(false)), diagnostics(all), refused(is_refused) {}
+
+void OpenedScene::add(const formats::Change& change) {
+  std::erase_if(source_.changes, [&](const formats::Change& old) { return formats::undoes(change, old); });
+  source_.changes.push_back(change);
+}
+
+OpenedScene OpenedScene::with(const std::vector<std::string>& changes) const {
+  OpenedScene other = *this;
+  for (const formats::Change& change : formats::read_changes(changes)) other.add(change);
+  return other;
+}
+
+OpenedScene OpenedScene::by(const std::string& key, const std::string& specification) const {
+  OpenedScene other = *this;
+  for (const formats::Change& change : runs::choose_method(key, specification)) other.add(change);
+  return other;
+}
+
+std::vector<std::string> OpenedScene::changes() const {
+  std::vector<std::string> all;
+  for (const formats::Change& change : source_.changes) all.push_back(change.text);
+  return all;
+}
+
+std::vector<std::string> OpenedScene::command() const {
+  std::vector<std::string> words{"netloft", "run", file()};
+  for (const std::string& change : changes()) {
+    words.push_back("--set");
+    words.push_back(change);
+  }
+  return words;
+}
+
+formats::Value OpenedScene::tables() const {
+  const std::lock_guard lock(reading());
+  formats::Diagnostics diagnostics;
+  formats::Value tables = source_.scene.tables(source_.changes, diagnostics);
+  if (diagnostics.errors()) throw WrongScene(diagnostics, false);
+  return tables;
+}
+
+formats::Diagnostics OpenedScene::check() const {
+  const std::lock_guard lock(reading());
+  runs::PreparedScene scene(source_, registry());
+  scene.prepare();
+  return scene.diagnostics();
+}
+
+std::shared_ptr<runs::PreparedScene> OpenedScene::prepare() const {
+  const std::lock_guard lock(reading());
+  auto scene = std::make_shared<runs::PreparedScene>(source_, registry());
+  const auto state = scene->prepare();
+  if (state != runs::PreparedScene::State::ready)
+    throw WrongScene(scene->diagnostics(), state == runs::PreparedScene::State::refused);
+  return scene;
+}
+
+}  // namespace netloft::python

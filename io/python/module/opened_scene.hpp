@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/runs/prepared_scene.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace netloft::python {
+
+/// The plugins of this process. Solvers that are written in Python are among them.
+Registry& registry();
+
+/// Held while scenes are read: the registry, and the data that changed scenes share, serve one thread only.
+std::mutex& reading();
+
+/// A scene that cannot be solved as it is, with the messages about it.
+struct WrongScene : std::runtime_error {
+  WrongScene(const formats::Diagnostics& all, bool is_refused);
+  formats::Diagnostics diagnostics;
+  bool refused;  // whether a plugin is missing or was rejected
+};
+
+/// A scene file with changes. Changed scenes share what was read from the file (scenes::SceneSource).
+class OpenedScene {
+ public:
+  explicit OpenedScene(const std::filesystem::path& file) : source_(file) {}
+
+  /// The same scene with other values, each as the argument of `--set`. A new value replaces an older one of
+  /// the same key.
+  OpenedScene with(const std::vector<std::string>& changes) const;
+  /// The same scene, solved by another method: `key` and `specification` are those of runs::choose_method().
+  OpenedScene by(const std::string& key, const std::string& specification) const;
+
+  std::string file() const { return source_.scene.file().string(); }
+  /// The changes so far, as arguments of `--set`.
+  std::vector<std::string> changes() const;
+  /// The words of the command line that solves the same scene.
+  std::vector<std::string> command() const;
+  /// The tables of the scene with its changes. Throws WrongScene.
+  formats::Value tables() const;
+  /// All messages about the scene: those that make it wrong, and warnings.
+  formats::Diagnostics check() const;
+  /// The scene, ready to be solved. Throws WrongScene.
+  std::shared_ptr<runs::PreparedScene> prepare() const;
+
+ private:
+  void add(const formats::Change& change);
+
+  runs::CaseSource source_;
+};
+
+}  // namespace netloft::python

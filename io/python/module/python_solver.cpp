@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/python/module/python_solver.hpp"
+
+#include <netloft/solver.hpp>
+
+#include "io/python/module/opened_scene.hpp"
+
+#include <pybind11/numpy.h>
+
+#include <cstring>
+#include <deque>
+#include <memory>
+
+namespace netloft::python {
+
+namespace py = pybind11;
+
+namespace {
+
+using Vector = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// r(u) = 0 as a solver in Python sees it. It is valid during the call of the solver only.
+class PythonProblem {
+ public:
+  explicit PythonProblem(netloft_problem& problem) : problem_(problem) {}
+  void end() { is_over_ = true; }
+
+  std::size_t size() const { return problem_.unknowns; }
+  Problem& valid() {
+    if (is_over_)
+      throw std::runtime_error("this Problem ended when its solver returned; keep copies of its vectors");
+    return problem_wrapper_;
+  }
+  std::span<const double> vector(const Vector& values, const char* what) const {
+    if (static_cast<std::size_t>(values.size()) != size())
+      throw std::invalid_argument(std::string(what) + " has " + std::to_string(values.size()) +
+                                  " numbers, and the problem has " + std::to_string(size()) + " unknowns");
+    return {values.data(), size()};
+  }
+  netloft_problem& raw() { return problem_; }
+
+ private:
+  netloft_problem& problem_;
+  Problem problem_wrapper_{problem_};
+  bool is_over_ = false;
+};
+
+Vector zeros(std::size_t size) {
+  Vector all(static_cast<py::ssize_t>(size));
+  std::fill_n(all.mutable_data(), size, 0.0);
+  return all;
+}
+
+Vector current_point(PythonProblem& p) {
+  const auto u = p.valid().u();
+  return Vector(static_cast<py::ssize_t>(u.size()), u.data());
+}
+
+py::tuple evaluate(PythonProblem& p, const Vector& u, bool tangent) {
+  Vector residual = zeros(p.size());
+  double energy = 0;
+  const auto at = p.vector(u, "u");
+  const std::span<double> r(residual.mutable_data(), p.size());
+  if (p.valid().evaluate(at, energy, r, tangent ? Matrix::exact : Matrix::none) != Evaluation::ok)
+    throw std::domain_error("the forces are not defined at this point; shorten the step");
+  return py::make_tuple(energy, residual);
+}
+
+bool factorise(PythonProblem& p, double shift, bool indefinite) {
+  Problem& problem = p.valid();
+  return (indefinite ? problem.factorise_indefinite(Matrix::exact, shift)
+                     : problem.factorise(Matrix::exact, shift)) == Factor::ok;
+}
+
+Vector solve_with_factor(PythonProblem& p, const Vector& rhs) {
+  Vector x = zeros(p.size());
+  p.valid().solve(p.vector(rhs, "the right-hand side"), {x.mutable_data(), p.size()});
+  return x;
+}
+
+Vector multiply(PythonProblem& p, const Vector& x, double shift) {
+  Vector y = zeros(p.size());
+  p.valid().multiply(Matrix::exact, shift, p.vector(x, "x"), {y.mutable_data(), p.size()});
+  return y;
+}
+
+bool progress(PythonProblem& p, const Vector& u, double energy, const Vector& residual) {
+  const bool goes_on = p.valid().progress(p.vector(u, "u"), energy, p.vector(residual, "the residual"));
+  std::memcpy(p.raw().u, u.data(), p.size() * sizeof(double));
+  return goes_on;
+}
+
+/// A solver in Python, as a plugin describes it. It lives as long as the process, as plugins do.
+struct PythonPlugin {
+  std::string name, doc;
+  py::function solve;
+  netloft_parameter which{};
+  netloft_solver solver{};
+  netloft_solvers offer{};
+  netloft_plugin plugin{};
+};
+
+std::deque<PythonPlugin>& python_plugins() {
+  static auto& all = *new std::deque<PythonPlugin>;  // never destroyed: the interpreter ends first
+  return all;
+}
+
+const netloft_plugin* last_plugin() { return &python_plugins().back().plugin; }
+
+const void* last_offer(const char* id) {
+  return std::strcmp(id, NETLOFT_EXT_SOLVER) == 0 ? &python_plugins().back().offer : nullptr;
+}
+
+void say(netloft_problem& problem, const char* text) {
+  if (problem.message) std::snprintf(problem.message, problem.message_size, "%s", text);
+}
+
+/// The function `solve` of all solvers in Python: the parameter says which one.
+int call_python(const void* parameters, netloft_problem* problem) {
+  std::int64_t which = 0;
+  std::memcpy(&which, parameters, sizeof which);
+  const py::gil_scoped_acquire interpreter;
+  auto seen = std::make_shared<PythonProblem>(*problem);
+  int outcome = NETLOFT_STOPPED;
+  try {
+    python_plugins()[static_cast<std::size_t>(which)].solve(seen);
+  } catch (const std::exception& e) {
+    say(*problem, e.what());
+    outcome = NETLOFT_SOLVER_ERROR;
+  }
+  seen->end();
+  return outcome;
+}
+
+void describe(PythonPlugin& p, double number) {
+  p.which.size = sizeof p.which;
+  p.which.kind = NETLOFT_INTEGER;
+  p.which.name = "callable";
+  p.which.unit = "1";
+  p.which.doc = "number of the callable in this process";
+  p.which.fallback = p.which.lo = p.which.hi = number;
+
+  p.solver.size = sizeof p.solver;
+  p.solver.name = p.name.c_str();
+  p.solver.doc = p.doc.c_str();
+  p.solver.parameter_bytes = sizeof(std::int64_t);
+  p.solver.parameter_count = 1;
+  p.solver.parameters = &p.which;
+  p.solver.solve = &call_python;
+  p.offer = {sizeof p.offer, 1, &p.solver};
+
+  p.plugin.size = sizeof p.plugin;
+  p.plugin.abi_major = NETLOFT_ABI_MAJOR;
+  p.plugin.abi_minor = NETLOFT_ABI_MINOR;
+  p.plugin.flags = NETLOFT_BUILD_FLAGS;
+  p.plugin.name = p.name.c_str();
+  p.plugin.version = "1";
+  p.plugin.doc = p.doc.c_str();
+  p.plugin.compiler = "Python";
+  p.plugin.extension = &last_offer;
+}
+
+}  // namespace
+
+void add_solver(const std::string& name, const std::string& doc, py::function solve) {
+  const std::lock_guard lock(reading());
+  for (const std::string& taken : registry().available())
+    if (taken == name)
+      throw PluginRefused("\"" + name +
+                          "\" is the name of a plugin already; choose another one for this solver");
+  auto& plugin = python_plugins().emplace_back(PythonPlugin{name, doc, std::move(solve)});
+  describe(plugin, static_cast<double>(python_plugins().size() - 1));
+  registry().add_builtin(name, &last_plugin);
+  try {
+    registry().plugin(name);
+  } catch (...) {
+    python_plugins().pop_back();
+    throw;
+  }
+}
+
+void bind_problem(py::module_& module) {
+  py::class_<PythonProblem, std::shared_ptr<PythonProblem>>(module, "Problem")
+      .def_property_readonly("size", &PythonProblem::size)
+      .def_property_readonly("u", &current_point)
+      .def("evaluate", &evaluate, py::arg("u"), py::arg("tangent") = false)
+      .def("factorise", &factorise, py::arg("shift") = 0.0, py::arg("indefinite") = false)
+      .def("solve", &solve_with_factor, py::arg("rhs"))
+      .def("multiply", &multiply, py::arg("x"), py::arg("shift") = 0.0)
+      .def("progress", &progress, py::arg("u"), py::arg("energy"), py::arg("residual"));
+}
+
+}  // namespace netloft::python

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+namespace netloft::python {
+
+/// Makes a callable of Python a solver with the name `name`, as if a plugin of that name offered it. It is
+/// called with a Problem and moves it towards balance; what it returns is ignored, because the host decides
+/// whether its last point is an equilibrium. Throws PluginRefused if a plugin or a solver of that name is
+/// there already.
+void add_solver(const std::string& name, const std::string& doc, pybind11::function solve);
+
+/// Adds the class Problem to the module.
+void bind_problem(pybind11::module_& module);
+
+}  // namespace netloft::python

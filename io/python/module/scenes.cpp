@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/python/module/answer.hpp"
+#include "io/python/module/background.hpp"
+#include "io/python/module/module.hpp"
+#include "io/python/module/motion.hpp"
+#include "io/python/module/objects.hpp"
+
+#include <pybind11/functional.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <optional>
+
+namespace netloft::python {
+
+namespace py = pybind11;
+
+namespace {
+
+using AnswerPointer = std::shared_ptr<Answer>;
+
+/// The numbers of a scene that `paths` name, and all of them without paths: those of its tables and the
+/// parameters of its parts.
+py::list numbers_of_scene(const OpenedScene& scene) {
+  using Numbers = std::vector<studies::SceneNumber>;
+  return scene_number_list(in_background<Numbers>([&](const std::atomic<bool>&) {
+    const auto prepared = scene.prepare();
+    const std::lock_guard lock(reading());
+    Numbers all = studies::chosen_numbers(*prepared, {});
+    for (auto& number : studies::parameters_of(prepared->loaded(), registry()))
+      all.push_back(std::move(number));
+    return all;
+  }));
+}
+
+std::vector<std::string> part_names(const OpenedScene& scene) {
+  return in_background<std::vector<std::string>>([&](const std::atomic<bool>&) {
+    std::vector<std::string> names;
+    const auto prepared = scene.prepare();
+    for (const auto& part : prepared->loaded().scene.parts) names.push_back(part.name);
+    return names;
+  });
+}
+
+/// Work in the background that reports its progress to a callable of Python, whose exception ends it.
+class Watched {
+ public:
+  explicit Watched(const py::object& progress) : progress_(progress) {}
+
+  /// Calls the callable from the thread that works.
+  template <class... Numbers>
+  void report(Numbers... numbers) {
+    if (progress_.is_none()) return;
+    const py::gil_scoped_acquire interpreter;
+    try {
+      progress_(numbers...);
+    } catch (...) {
+      raised_ = std::current_exception();
+      *interrupt_ = true;
+    }
+  }
+  /// The exception of the callable or of a signal that ended the work; None: nothing ended it.
+  py::object run(const std::function<void(const std::atomic<bool>&)>& work) {
+    const auto by_signal = call_in_background([&](std::atomic<bool>& interrupt) {
+      interrupt_ = &interrupt;
+      work(interrupt);
+    });
+    try {
+      if (by_signal) std::rethrow_exception(by_signal);
+      if (raised_) std::rethrow_exception(raised_);
+    } catch (py::error_already_set& e) {
+      return e.value();
+    }
+    return py::none();
+  }
+
+ private:
+  py::object progress_;
+  std::atomic<bool>* interrupt_ = nullptr;
+  std::exception_ptr raised_;
+};
+
+/// Solves a scene. `progress` is called after each iteration with its number, the largest residual and the
+/// largest load [N]. Returns the answer, and the exception that ended the search.
+py::tuple solve(const OpenedScene& scene, const std::vector<double>& start, bool with_mesh_errors,
+                const py::object& progress) {
+  Watched watched(progress);
+  const SolveRequest request{start, with_mesh_errors, [&](const IterationRecord& r) {
+                               watched.report(r.iteration, r.residual, r.scale);
+                             }};
+  AnswerPointer answer;
+  const py::object ended_by = watched.run([&](const std::atomic<bool>& interrupt) {
+    answer = std::make_shared<Answer>(scene, request, interrupt);
+  });
+  return py::make_tuple(answer, ended_by);
+}
+
+/// Computes a motion. `progress` is called after each step with the time reached and that of the end [s].
+/// Returns the file, warnings, and the exception that ended the motion.
+py::tuple simulate_scene(const OpenedScene& scene, const std::filesystem::path& output,
+                         const py::object& progress) {
+  Watched watched(progress);
+  MotionEnd end;
+  const py::object ended_by = watched.run([&](const std::atomic<bool>& interrupt) {
+    end = simulate(
+        scene, output, [&](double t, double of) { watched.report(t, of); }, interrupt);
+  });
+  return py::make_tuple(end.file, end.warnings, ended_by);
+}
+
+}  // namespace
+
+void bind_scenes(py::module_& module) {
+  py::class_<OpenedScene>(module, "OpenedScene")
+      .def(py::init([](const std::string& file) { return OpenedScene(file); }), py::arg("file"))
+      .def("with_", &OpenedScene::with, py::arg("changes"))
+      .def("by", &OpenedScene::by, py::arg("key"), py::arg("specification"))
+      .def_property_readonly("file", &OpenedScene::file)
+      .def_property_readonly("changes", &OpenedScene::changes)
+      .def("tables", [](const OpenedScene& s) { return value_object(s.tables()); })
+      .def("check", [](const OpenedScene& s) { return message_list(s.check()); })
+      .def("numbers", &numbers_of_scene)
+      .def("parts", &part_names)
+      .def("solve", &solve, py::arg("start"), py::arg("with_mesh_errors"), py::arg("progress"))
+      .def("simulate", &simulate_scene, py::arg("output"), py::arg("progress"));
+}
+
+}  // namespace netloft::python

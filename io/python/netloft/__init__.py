@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Netloft: shapes and forces of trawl gears.
+
+    import netloft
+    gear = netloft.load("83-112-flume-3.0kn.toml")     # of the library, or a file of your own
+    r = gear.with_({"tow.speed": "3.5 kn"}).solve()
+    r.report["mouth/headline_height"]
+"""
+
+from pathlib import Path as _Path
+
+from . import _netloft
+from .errors import Interrupted, NetloftError, NotConverged, Refused, WrongInput
+from .motion import Stored, read, simulate
+from .quantity import Quantity
+from .result import Equilibrium
+from .scene import Scene, library, load
+from .solvers import compare, solver
+from .study import Study, study
+
+__version__ = _netloft.__version__
+
+
+def add_plugins(folder):
+    """Adds a folder of plugins to those that are searched."""
+    if not _Path(folder).is_dir():
+        raise NotADirectoryError(f"{folder}: there is no such folder of plugins")
+    _netloft.add_plugins(str(_Path(folder).resolve()))
+
+
+__all__ = ["Equilibrium", "Interrupted", "NetloftError", "NotConverged", "Quantity", "Refused", "Scene", "Stored", "Study", "WrongInput",
+           "add_plugins", "compare", "library", "load", "read", "simulate", "solver", "study"]

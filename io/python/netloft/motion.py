@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Results in files: equilibria and motions, their shapes, pictures and pages."""
+
+import tempfile
+from pathlib import Path
+
+from . import _netloft
+from .errors import Interrupted, NotConverged
+from .names import Named, unknown
+from .result import Report
+
+
+class Stored(Report):
+    """A result in a file: an equilibrium, or a motion with a state at each of `times` [s]."""
+
+    def __init__(self, stored, path):
+        super().__init__(stored)
+        self.path = Path(path)
+        self.times = stored.times
+
+    @property
+    def fields(self):
+        """Names of the fields of cells, such as "tension"."""
+        return tuple(self._answer.fields())
+
+    @property
+    def parts(self):
+        return tuple(dict.fromkeys(name for _, _, names in self._answer.mesh().values() for name in names))
+
+    @property
+    def series(self):
+        """Numbers over time: {name: array [time]}, with units in `units_of_series`."""
+        return Named("series", {name: values for name, (values, _) in self._answer.series().items()})
+
+    @property
+    def units_of_series(self):
+        return {name: unit for name, (_, unit) in self._answer.series().items()}
+
+    def points(self, state=-1):
+        """Positions of the nodes in a state [node, 3], in metres."""
+        return self._answer.points(state)
+
+    def field(self, name, state=-1):
+        """A field, one number for each cell of the file; NaN for cells without a value."""
+        if name not in self.fields:
+            raise KeyError(unknown("field", name, list(self.fields)))
+        return self._answer.field(name, state)
+
+    def mesh(self, state=-1):
+        """(points, cells, data), as Equilibrium.mesh()."""
+        import numpy
+
+        cells, data = {}, {}
+        fields = {name: self.field(name, state) for name in self.fields}
+        for kind, (nodes, numbers, names) in self._answer.mesh().items():
+            if len(nodes):
+                cells[kind] = nodes
+                data[kind] = {name: values[numbers] for name, values in fields.items()}
+                data[kind]["part"] = numpy.array(names)
+        return self.points(state), cells, data
+
+    def to_xarray(self):
+        """An xarray.Dataset: series over time, and positions [time, node, axis], with units."""
+        import numpy
+        import xarray
+
+        data = {"points": (("time", "node", "axis"), numpy.stack([self.points(i) for i in range(max(1, len(self.times)))]), {"units": "m"})}
+        units = self.units_of_series
+        for name, values in self.series.items():
+            padded = numpy.full(max(1, len(self.times)), numpy.nan)
+            padded[: len(values)] = values
+            data[name] = ("time", padded, {"units": units[name]})
+        times = self.times if len(self.times) else [0.0]
+        return xarray.Dataset(data, coords={"time": ("time", times, {"units": "s"}), "axis": ["x", "y", "z"]}, attrs={"status": self.status})
+
+    def picture(self, path=None, view="oblique", field="", state=-1, width=1000):
+        """A picture of a state: written to path (.svg or .png), or returned as the text of an SVG."""
+        is_png = path is not None and str(path).endswith(".png")
+        content = self._answer.picture(is_png, view, field, state, width)
+        if path is None:
+            return content.decode()
+        Path(path).write_bytes(content)
+        return Path(path)
+
+    def page(self, path=None, most_states=60):
+        """The page of `netloft view` in one file, written to path or returned as a text."""
+        text = _netloft.page([self._answer], most_states)
+        if path is None:
+            return text
+        Path(path).write_text(text, encoding="utf-8")
+        return Path(path)
+
+    def _repr_svg_(self):
+        return self.picture(width=700)
+
+
+def read(path):
+    """The result in a file that `netloft run` or Equilibrium.save() wrote."""
+    path = Path(path)
+    if not path.is_file():
+        raise FileNotFoundError(f"{path}: there is no such result file")
+    return Stored(_netloft.Stored(path), path)
+
+
+def stored(equilibrium):
+    """An equilibrium as the result that its file would hold."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / (equilibrium.scene.file.stem + ".hdf")
+        equilibrium.save(path)
+        return Stored(_netloft.Stored(path), path)
+
+
+def simulate(scene, output=None, progress=None):
+    """The motion of a scene with `analysis.kind = "dynamic"`.
+
+    output: the result file; without it the motion is kept in memory only.
+    progress: called after each step with the time reached and that of the end [s].
+    Raises WrongInput, Refused, NotConverged (whose `result` has the motion so far), Interrupted.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(output) if output else Path(folder) / (scene.file.stem + ".hdf")
+        file, warnings, ended_by = scene._opened.simulate(path, progress)
+        motion = Stored(_netloft.Stored(file), file) if file.is_file() else None
+        if motion is not None:
+            motion.warnings = (*motion.warnings, *(w for w in warnings if w not in motion.warnings))
+        if isinstance(ended_by, KeyboardInterrupt):
+            raise Interrupted(motion) from ended_by
+        if ended_by is not None:
+            raise ended_by
+        if motion.status != "finished":
+            raise NotConverged(motion)
+        return motion

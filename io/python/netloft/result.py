@@ -1,0 +1,266 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Results: figures with units and errors, shapes as arrays, derivatives."""
+
+import json
+
+from . import _netloft
+from .names import Named, unknown
+from .quantity import Quantity
+
+
+def _quantity(number):
+    name, value, unit, doc, *errors = number
+    return name, Quantity(value, unit, doc, *errors)
+
+
+class PartResult:
+    """The elements of one part in a result, as arrays that cannot be written to.
+
+    `nodes` [element, corner] are rows of Equilibrium.points. Every output of the elements is an attribute, such
+    as `tension` [element]; `units` and `docs` say what they are.
+    """
+
+    def __init__(self, name, blocks):
+        self.name = name
+        main = max(blocks, key=lambda block: block[2].shape[1])
+        self.type, self.nodes = main[1], main[2]
+        self.outputs, self.units, self.docs = {}, {}, {}
+        for _, _, _, outputs in sorted(blocks, key=lambda block: block is not main):
+            for key, (values, unit, doc) in outputs.items():
+                if key not in self.outputs:
+                    self.outputs[key], self.units[key], self.docs[key] = values, unit, doc
+
+    def __getattr__(self, name):
+        if name.startswith("_") or "outputs" not in self.__dict__:
+            raise AttributeError(name)
+        if name in self.outputs:
+            return self.outputs[name]
+        raise AttributeError(unknown(f"output of {self.name}", name, list(self.outputs)))
+
+    def __dir__(self):
+        return ["name", "type", "nodes", "units", "docs", *self.outputs]
+
+    def __repr__(self):
+        lines = [f"<{self.name}: {len(self.nodes)} elements {self.type}>"]
+        for name, values in self.outputs.items():
+            lines.append(f"  {name:<20} {values.min():.6g} to {values.max():.6g} {self.units[name]}")
+        return "\n".join(lines)
+
+
+class Report:
+    """What every result has: an outcome, figures, text."""
+
+    def __init__(self, answer):
+        self._answer = answer
+        self.status, self.stability = answer.status, answer.stability
+        self.reason, self.at_fault = answer.reason, answer.at_fault
+        self.warnings = tuple(answer.warnings)
+        self.report = Named("figure", dict(map(_quantity, answer.figures())))
+
+    def to_dict(self):
+        """All numbers of the result as `netloft report --json` has them."""
+        return json.loads(self._answer.json())
+
+    def text(self):
+        """The report as text."""
+        return self._answer.text()
+
+    def _ipython_key_completions_(self):
+        return list(self.parts)
+
+    def __repr__(self):
+        figures = Named("figure", {name: self.report[name] for name in self._answer.key_figures()})
+        return f"<{self.status}, {self.stability}>\n{figures!r}" if figures else f"<{self.status}, {self.stability}>"
+
+
+class Equilibrium(Report):
+    """A scene and the shape at which its search ended."""
+
+    def __init__(self, scene, answer):
+        super().__init__(answer)
+        self.scene = scene
+        self._blocks = None
+        self._factor = None
+        self._found = {}
+
+    # ------------------------------------------------------------ shapes
+
+    @property
+    def points(self):
+        """Positions of the nodes [node, 3] in metres; z points up and is zero at the surface."""
+        return self._answer.points
+
+    @property
+    def u(self):
+        """Displacements of the unknowns from the start of the scene [m]."""
+        return self._answer.u
+
+    def _elements(self):
+        if self._blocks is None:
+            self._blocks = {}
+            for block in self._answer.elements():
+                self._blocks.setdefault(block[0], []).append(block)
+        return self._blocks
+
+    @property
+    def parts(self):
+        return tuple(self._elements())
+
+    def __getitem__(self, part):
+        blocks = self._elements().get(part)
+        if blocks is None:
+            raise KeyError(unknown("part", part, list(self._elements())))
+        return PartResult(part, blocks)
+
+    def mesh(self):
+        """(points, cells, data): `cells` has the nodes of all "triangle" and "line" cells, `data` for each
+        kind "part", the name of the part of each cell, and every output that all of its cells have."""
+        import numpy
+
+        kinds = {3: "triangle", 2: "line"}
+        cells, names, outputs = {}, {}, {}
+        for part in self.parts:
+            result = self[part]
+            kind = kinds.get(result.nodes.shape[1])
+            if kind is None or len(result.nodes) == 0:
+                continue
+            cells.setdefault(kind, []).append(result.nodes)
+            names.setdefault(kind, []).extend([part] * len(result.nodes))
+            outputs.setdefault(kind, []).append(result.outputs)
+        data = {}
+        for kind in cells:
+            common = set.intersection(*(set(o) for o in outputs[kind]))
+            data[kind] = {name: numpy.concatenate([o[name] for o in outputs[kind]]) for name in sorted(common)}
+            data[kind]["part"] = numpy.array(names[kind])
+            cells[kind] = numpy.concatenate(cells[kind])
+        return self.points, cells, data
+
+    def to_xarray(self):
+        """An xarray.Dataset with the positions of nodes and all figures, units in their attributes."""
+        import xarray
+
+        data = {"points": (("node", "axis"), self.points, {"units": "m"})}
+        for name, q in self.report.items():
+            data[name] = ((), float(q), {"units": q.unit, "long_name": q.doc, "error": q.error})
+        return xarray.Dataset(data, coords={"axis": ["x", "y", "z"]},
+                              attrs={"scene": str(self.scene.file), "changes": list(self.scene.changes), "status": self.status})
+
+    def save(self, path):
+        """Writes the result file that `netloft run` writes. An earlier one of that name becomes NAME~."""
+        self._answer.write(str(path))
+
+    def draw(self, path=None, view="oblique", field="", width=1000):
+        """A picture of the gear, as `netloft draw` makes it: written to path (.svg or .png), or the text of an SVG.
+
+        view: "oblique", "side", "top" or "front". field: what the colours show, such as "tension".
+        """
+        from .motion import stored
+
+        return stored(self).picture(path, view, field, width=width)
+
+    def page(self, path=None):
+        """The page of `netloft view`, with the gear in three dimensions: written to path, or as a text."""
+        from .motion import stored
+
+        return stored(self).page(path)
+
+    def view(self, width="100%", height=600):
+        """The page of `netloft view` in a notebook."""
+        import base64
+
+        from IPython.display import IFrame
+
+        page = base64.b64encode(self.page().encode()).decode()
+        return IFrame(f"data:text/html;base64,{page}", width, height)
+
+    def _repr_svg_(self):
+        return self.draw(width=700)
+
+    # ------------------------------------------------------------ derivatives
+
+    def _sensitivities(self, numbers, check=False):
+        key = (tuple(numbers or ()), check)
+        if key not in self._found:
+            figures, effects = self._answer.sensitivities(list(key[0]), check)
+            self._found[key] = [name for name, *_ in figures], effects
+        return self._found[key]
+
+    def gradient(self, figures, numbers=None, check=False):
+        """Derivatives of figures with respect to numbers of the scene: {figure: {number: derivative}}, or
+        {number: derivative} if `figures` is one name. They are in the units of the figure per that of the
+        number as the scene states it. A number that has none (an integer, for instance) is left out, unless
+        it was asked for: then ValueError says why.
+
+        They hold as long as no member becomes slack or taut and no node touches or leaves the ground. With
+        check=True they are found by a longer step as well, and are NaN where that finds others.
+        """
+        wanted = [figures] if isinstance(figures, str) else list(figures)
+        names = self.report
+        for figure in wanted:
+            names[figure]  # KeyError with the likely name
+        asked = [numbers] if isinstance(numbers, str) else list(numbers or ())
+        index, effects = self._sensitivities(asked, check)
+        table = {figure: {} for figure in wanted}
+        for path, _, unit, why_not, slopes, marks in effects:
+            if why_not:
+                if path in asked:
+                    raise ValueError(f"{path} has no derivatives: {why_not}")
+                continue
+            for figure in wanted:
+                f = index.index(figure)
+                value = float("nan") if len(marks) and marks[f] else slopes[f]
+                per = f"{names[figure].unit or '1'} per {unit or '1'}"
+                table[figure][path] = Quantity(value, per)
+        return table[figures] if isinstance(figures, str) else table
+
+    def jvp(self, changes):
+        """The change of every figure, to first order, when numbers change: {"tow.speed": 0.1} in the unit of
+        the scene."""
+        total = dict.fromkeys(self.report, 0.0)
+        index, effects = self._sensitivities(list(changes))
+        for path, _, _, why_not, slopes, _ in effects:
+            if path not in changes:
+                continue
+            if why_not:
+                raise ValueError(f"{path} has no derivatives: {why_not}")
+            for name, slope in zip(index, slopes):
+                total[name] += float(slope) * float(changes[path])
+        return total
+
+    def vjp(self, weights, numbers=None):
+        """The derivative of a weighted sum of figures, {"towing/pull": 1.0}, with respect to every number."""
+        total = {}
+        for figure, weight in weights.items():
+            for path, slope in self.gradient(figure, numbers).items():
+                total[path] = total.get(path, 0.0) + float(weight) * float(slope)
+        return total
+
+    # ------------------------------------------------------------ equations
+
+    def residual(self, u):
+        """The imbalance r(u) of the forces over the unknowns [N] at displacements u [m]."""
+        return self._answer.residual([float(x) for x in u])
+
+    def tangent(self):
+        """K = dr/du at the answer [N/m], a scipy.sparse.csr_matrix."""
+        from scipy.sparse import csc_matrix, tril
+
+        values, rows, starts, symmetric = self._answer.tangent()
+        size = len(starts) - 1
+        K = csc_matrix((values, rows, starts), shape=(size, size))
+        return (K + tril(K, -1).T if symmetric else K).tocsr()
+
+    def _factors(self):
+        if self._factor is None:
+            from scipy.sparse.linalg import splu
+
+            self._factor = splu(self.tangent().tocsc())
+        return self._factor
+
+    def solve(self, b):
+        """K⁻¹ b: the displacements that additional forces −b [N] cause, to first order [m]."""
+        return self._factors().solve(b)
+
+    def solve_adjoint(self, v):
+        """K⁻ᵀ v."""
+        return self._factors().solve(v, trans="T")

@@ -1,0 +1,80 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Measures what the package of Python costs beside the computation: its import, a solve, arrays, derivatives, many solves.
+
+    in_python.py PACKAGE [--times N] [--solves N]
+
+PACKAGE is the folder that contains netloft, build/release/python. Times are processor times, the least of N; the overhead of a
+solve is its processor time without reading, setting up and solving as Netloft itself measures them [wall time, one thread].
+"""
+import argparse
+import gc
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+IMPORT = "import resource as r; import sys; sys.path.insert(0, {0!r}); {1}; u = r.getrusage(r.RUSAGE_SELF); print(1e3 * (u.ru_utime + u.ru_stime))"
+
+
+def import_milliseconds(package, statement):
+    done = subprocess.run([sys.executable, "-c", IMPORT.format(package, statement)], check=True, capture_output=True, text=True)
+    return float(done.stdout)
+
+
+def solve_row(netloft, name, changes, times):
+    scene = netloft.load(name).with_(changes)
+    scene.solve()
+    rows = []
+    for i in range(times):
+        other = scene.with_({"water.density": 1025 + 1e-3 * i})
+        began = time.perf_counter()
+        result = other.solve()
+        took = 1e3 * (time.perf_counter() - began)
+        cost = result.to_dict()["wall_seconds"]
+        rows.append((took, took - 1e3 * cost["total"]))
+    best = min(rows)
+    print(f"| {name} | {len(result.points)} | {best[0]:.2f} | {min(row[1] for row in rows):.2f} |")
+
+
+def memory_in_kib():
+    return int(next(line.split()[1] for line in open("/proc/self/status") if line.startswith("VmRSS")))
+
+
+def memory_row(netloft, solves):
+    rope = netloft.load("hanging-rope.toml")
+
+    def use(number):
+        for i in range(number):
+            result = rope.with_({"water.density": 1025 + 1e-3 * (i % 100)}).solve()
+            assert result.points.shape[1] == 3 and len(result.report) > 0
+        gc.collect()
+        return memory_in_kib()
+
+    before = use(max(1, solves // 10))
+    after = use(solves)
+    print(f"\nresident memory after {max(1, solves // 10)} solves {before} KiB, after {solves} more {after} KiB: ratio {after / before:.4f}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("package", type=Path)
+    parser.add_argument("--times", type=int, default=10)
+    parser.add_argument("--solves", type=int, default=10000)
+    options = parser.parse_args()
+    package = str(options.package.resolve())
+    sys.path.insert(0, package)
+    import netloft
+
+    print("| import | processor time [ms] |\n|---|---|")
+    for statement in ("pass", "import numpy", "import netloft"):
+        print(f"| {statement} | {min(import_milliseconds(package, statement) for _ in range(options.times)):.0f} |")
+    print("\n| scene | nodes | solve [ms] | of it not reading, setting up or solving [ms] |\n|---|---|---|---|")
+    for name, changes in (("hanging-rope.toml", {}), ("dead-weight-panel.toml", {}), ("83-112-flume-3.0kn.toml", {"gear.nodes": 500}),
+                          ("83-112-flume-3.0kn.toml", {"gear.nodes": 2000})):
+        solve_row(netloft, name, changes, options.times)
+    memory_row(netloft, options.solves)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What an analyst does in a notebook: change, solve, read figures and arrays, differentiate, sweep, keep."""
+import gc
+import os
+import pickle
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+from pathlib import Path
+
+import numpy
+
+import netloft
+
+GEAR = netloft.load("83-112-flume-3.0kn.toml").with_({"gear.nodes": 300})
+RESULT = GEAR.solve()
+
+
+class AScene(unittest.TestCase):
+    def test_shows_its_numbers_by_part(self):
+        self.assertEqual(float(GEAR["headrope"].length), 25.3)
+        self.assertEqual(GEAR["headrope"].length.unit, "m")
+        self.assertEqual(float(GEAR["headrope"].rope.density), 3580)
+        self.assertEqual(float(GEAR.numbers["tow.speed"]), 3.0)
+        self.assertIn("length", dir(GEAR["headrope"]))
+        self.assertIn("top-wing", GEAR.parts)
+        self.assertIn("25.3 m", repr(GEAR["headrope"]))
+
+    def test_never_changes_itself(self):
+        other = GEAR.with_({"tow.speed": "3.5 kn"})
+        self.assertEqual(GEAR.changes, ("gear.nodes=300",))
+        self.assertEqual(float(other.numbers["tow.speed"]), 3.5)
+        self.assertEqual(len(other.with_({"tow.speed": 1.5}).changes), 2)  # takes the place of the first
+
+    def test_takes_quantities_arrays_and_tables(self):
+        longer = GEAR.with_({"ropes.headrope.length": GEAR["headrope"].length,
+                             "points.towing-point.at": numpy.array([-51.1, 29.47, -18.76])})
+        numpy.testing.assert_array_equal(longer.solve().points, RESULT.points)
+
+    def test_survives_pickling(self):
+        again = pickle.loads(pickle.dumps(GEAR))
+        self.assertEqual(again, GEAR)
+        numpy.testing.assert_array_equal(again.solve().points, RESULT.points)
+
+
+class AResult(unittest.TestCase):
+    def test_has_figures_with_units_and_errors(self):
+        height = RESULT.report["mouth/headline_height"]
+        self.assertEqual(height.unit, "m")
+        self.assertTrue(height.doc)
+        self.assertLess(height.error, 1e-4)
+        self.assertIn("±", repr(height))
+        with_mesh = GEAR.solve(error=True).report["mouth/headline_height"]
+        self.assertEqual(float(with_mesh), float(height))
+        self.assertGreater(with_mesh.mesh_error, 1e-3)
+
+    def test_has_arrays_that_outlive_it_and_cannot_be_written(self):
+        result = GEAR.solve()
+        points, tension = result.points, result["headrope"].tension
+        copies = points.copy(), tension.copy()
+        del result
+        gc.collect()
+        for i in range(3):
+            GEAR.solve()
+        numpy.testing.assert_array_equal(points, copies[0])
+        numpy.testing.assert_array_equal(tension, copies[1])
+        with self.assertRaises(ValueError):
+            points[0, 0] = 1
+
+    def test_has_tensions_that_hold_the_headrope(self):
+        rope = RESULT["headrope"]
+        self.assertEqual(rope.units["tension"], "N")
+        ends = RESULT.points[rope.nodes]
+        stretched = numpy.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum()
+        self.assertAlmostEqual(stretched, float(GEAR["headrope"].length) / 2, delta=0.05)  # half of it is modelled
+
+    def test_has_a_mesh_a_page_and_a_file(self):
+        points, cells, data = RESULT.mesh()
+        self.assertEqual(len(data["triangle"]["tension"]), len(cells["triangle"]))
+        self.assertLess(cells["triangle"].max(), len(points))
+        self.assertIn("<svg", RESULT.draw())
+        self.assertIn("<!DOCTYPE html>", RESULT.page()[:200])
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "trawl.hdf"
+            RESULT.save(path)
+            stored = netloft.read(path)
+            self.assertEqual(dict(stored.report), dict(RESULT.report))
+            numpy.testing.assert_array_equal(stored.points(), RESULT.points)
+
+    def test_becomes_a_dataset(self):
+        data = RESULT.to_xarray()
+        self.assertEqual(data["mouth/headline_height"].attrs["units"], "m")
+        self.assertEqual(data["points"].shape, RESULT.points.shape)
+
+
+class Derivatives(unittest.TestCase):
+    def test_agree_with_equilibria_beside(self):
+        step = 1e-4
+        for path, unit in (("tow.speed", " kn"), ("points.towing-point.at[1]", " m")):
+            value = float(GEAR.numbers[path])
+            sides = [GEAR.with_({path: f"{value * (1 + s)}{unit}"}).solve(start=RESULT) for s in (step, -step)]
+            for figure in ("mouth/headline_height", "drag/all/x"):
+                slope = (sides[0].report[figure] - sides[1].report[figure]) / (2 * step * value)
+                found = RESULT.gradient(figure, [path])[path]
+                self.assertAlmostEqual(found / slope, 1, delta=2e-3, msg=f"{figure} by {path}")
+
+    def test_of_both_modes_are_the_same(self):
+        numbers = ["tow.speed", "ropes.headrope.length"]
+        jvp = RESULT.jvp({"tow.speed": 0.1, "ropes.headrope.length": 0.2})
+        vjp = RESULT.vjp({"drag/all/x": 1.0}, numbers)
+        self.assertAlmostEqual(jvp["drag/all/x"], 0.1 * vjp["tow.speed"] + 0.2 * vjp["ropes.headrope.length"], places=6)
+
+    def test_of_the_residual_are_the_tangent(self):
+        rng = numpy.random.default_rng(1)
+        chain = netloft.load("hanging-rope.toml").solve()
+        K, direction = chain.tangent(), rng.normal(size=len(chain.u))
+        h = 1e-6
+        numeric = (chain.residual(chain.u + h * direction) - chain.residual(chain.u - h * direction)) / (2 * h)
+        self.assertLess(numpy.abs(numeric - K @ direction).max(), 1e-6 * numpy.abs(K @ direction).max())
+
+    def test_by_the_adjoint_satisfy_the_dot_product_identity(self):
+        rng = numpy.random.default_rng(2)
+        v, w = rng.normal(size=(2, len(RESULT.u)))
+        K, adjoint = RESULT.tangent(), RESULT.solve_adjoint(w)
+        self.assertLess(abs(adjoint @ (K @ v) - w @ v), 1e-9 * numpy.linalg.norm(w) * numpy.linalg.norm(v))
+
+
+class AStudy(unittest.TestCase):
+    def test_becomes_a_dataset_with_units(self):
+        study = netloft.study(GEAR, {"tow.speed": ["2.5 kn", "3.5 kn"], "gear.nodes": [150, 200]})
+        data = study.to_xarray()
+        self.assertEqual(data["tow.speed"].attrs["units"], "kn")
+        self.assertEqual(data["drag/all/x"].shape, (2, 2))
+        self.assertTrue((data["drag/all/x"].sel({"tow.speed": 3.5}).values > data["drag/all/x"].sel({"tow.speed": 2.5}).values).all())
+
+    def test_keeps_points_without_an_answer_apart(self):
+        study = netloft.study(GEAR.with_({"analysis.strategy": "direct"}), {"analysis.max_iterations": [1, 200]})
+        self.assertEqual([row[1] for row in study.rows], ["not converged", "converged"])
+        self.assertTrue(numpy.isnan(study.to_xarray()["drag/all/x"].values[0]))
+
+
+class Manners(unittest.TestCase):
+    def test_nothing_is_printed(self):
+        code = "import netloft; g = netloft.load('83-112-flume-3.0kn.toml').with_({'gear.nodes': 20000}); g.check(); g.solve()"
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+
+    def test_ctrl_c_ends_a_solve_with_the_shape_so_far(self):
+        big = GEAR.with_({"gear.nodes": 20000})
+        began = []
+        timer = threading.Timer(3, lambda: (began.append(time.monotonic()), os.kill(os.getpid(), signal.SIGINT)))
+        timer.start()
+        with self.assertRaises(netloft.Interrupted) as caught:
+            big.solve()
+        self.assertTrue(began)
+        self.assertIsInstance(caught.exception, KeyboardInterrupt)
+        self.assertEqual(caught.exception.result.status, "interrupted")
+        self.assertGreater(len(caught.exception.result.points), 10000)
+
+    def test_progress_may_end_a_solve(self):
+        calls = []
+
+        def stop(iteration, residual, load):
+            calls.append((iteration, residual, load))
+            if len(calls) == 3:
+                raise RuntimeError("enough")
+
+        with self.assertRaisesRegex(RuntimeError, "enough"):
+            GEAR.solve(progress=stop)
+        self.assertTrue(all(load > 0 for _, _, load in calls))
+
+    def test_other_threads_run_during_a_solve(self):
+        ticks = []
+        done = threading.Event()
+        ticker = threading.Thread(target=lambda: [ticks.append(time.sleep(0.01)) for _ in iter(done.is_set, True)])
+        ticker.start()
+        GEAR.with_({"gear.nodes": 3000}).solve()
+        done.set()
+        ticker.join()
+        self.assertGreater(len(ticks), 5)
+
+    def test_threads_may_solve_at_once(self):
+        results = [None] * 4
+
+        def solve(i):
+            results[i] = GEAR.with_({"tow.speed": f"{3 + 0.1 * (i % 2)} kn"}).solve()
+
+        threads = [threading.Thread(target=solve, args=(i,)) for i in range(4)]
+        [t.start() for t in threads]
+        [t.join() for t in threads]
+        numpy.testing.assert_array_equal(results[0].points, RESULT.points)
+        numpy.testing.assert_array_equal(results[1].points, results[3].points)
+
+    def test_memory_stays(self):
+        rope = netloft.load("hanging-rope.toml")
+
+        def use(times):
+            for i in range(times):
+                result = rope.with_({"analysis.max_iterations": 100 + i % 2}).solve()
+                result.points, result.report, result.to_dict()
+            gc.collect()
+            return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+
+        before = use(100)
+        self.assertLess(use(300), 1.02 * before)
+
+
+if __name__ == "__main__":
+    unittest.main()

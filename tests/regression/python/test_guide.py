@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every block of PYTHON.md runs, in its order, in an empty folder."""
+import os
+import re
+import tempfile
+import unittest
+from pathlib import Path
+
+PAGE = Path(os.environ["NETLOFT_SOURCE_DIR"]) / "io/python/PYTHON.md"
+
+
+class TheGuide(unittest.TestCase):
+    def test_runs(self):
+        blocks = re.findall(r"^```python\n(.*?)^```", PAGE.read_text(), re.M | re.S)
+        self.assertGreater(len(blocks), 6)
+        names = {}
+        with tempfile.TemporaryDirectory() as folder:
+            os.chdir(folder)
+            for block in blocks:
+                with self.subTest(block=block.splitlines()[0]):
+                    exec(compile(block, str(PAGE), "exec"), names)
+            written = {path.name for path in Path(folder).iterdir()}
+            os.chdir("/")
+        self.assertEqual(written, {"trawl.png", "trawl.html", "trawl.hdf"})
+        self.assertEqual({row["status"] for row in names["table"].values()}, {"converged"})
+
+
+if __name__ == "__main__":
+    unittest.main()

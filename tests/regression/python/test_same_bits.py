@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The package and the command line of one build write the same numbers, bit for bit."""
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy
+
+import netloft
+
+PROGRAM = os.environ["NETLOFT_PROGRAM"]
+SCENES = [  # (scene of the library, changes): ropes, netting, bed and boards, bodies, catch, motions
+    ("hanging-rope.toml", {}),
+    ("dead-weight-panel.toml", {}),
+    ("83-112-flume-3.0kn.toml", {"gear.nodes": 300}),
+    ("83-112-at-sea-66m.toml", {"gear.nodes": 300}),
+    ("pelagic-with-doors.toml", {"gear.nodes": 300}),
+    ("codend-from-plan.toml", {}),
+    ("two-panel.toml", {"gear.nodes": 300}),
+    ("gov-like-31m.toml", {"gear.nodes": 300}),
+    ("dynamics/released-rope.toml", {}),
+    ("dynamics/pendulum-of-bars.toml", {}),
+]
+NOT_COMPARED = ("/netloft/provenance", "/netloft/cost", "/netloft/statistics")  # the machine and the clock
+
+
+def datasets(path):
+    """Name and bytes of everything in a result that tells neither the time nor where plugins lie."""
+    found = {}
+
+    def keep(name, item):
+        if isinstance(item, h5py.Dataset) and not ("/" + name).startswith(NOT_COMPARED) and "seconds" not in name:
+            found[name] = numpy.asarray(item[()]).tobytes() if item.dtype.kind != "O" else repr(item[()])
+        if name == "netloft/plan":
+            found[name] = re.sub(r"/\S*/lib/netloft/", "", found[name])
+
+    with h5py.File(path, "r") as file:
+        file.visititems(keep)
+    return found
+
+
+class OfOneBuild(unittest.TestCase):
+    def test_have_the_same_bits(self):
+        for name, changes in SCENES:
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                scene = netloft.load(name).with_(changes)
+                run, own = Path(folder) / "run.hdf", Path(folder) / "own.hdf"
+                words = [w for change in scene.changes for w in ("--set", change)]
+                subprocess.run([PROGRAM, "run", str(scene.file), *words, "--threads", "1", "-o", str(run)], check=True, capture_output=True)
+                if name.startswith("dynamics"):
+                    scene.simulate(output=own)
+                else:
+                    scene.solve().save(own)
+                expected, got = datasets(run), datasets(own)
+                self.assertEqual(sorted(expected), sorted(got))
+                differing = [key for key in expected if expected[key] != got[key]]
+                self.assertEqual(differing, [])
+                self.assertGreater(len(expected), 20)
+
+    def test_are_those_of_four_processes(self):
+        gear = netloft.load("83-112-flume-3.0kn.toml").with_({"gear.nodes": 150})
+        speeds = {"tow.speed": [f"{2 + 0.1 * i:.1f} kn" for i in range(12)]}
+        one, four = netloft.study(gear, speeds), netloft.study(gear, speeds, workers=4)
+        self.assertEqual(one.failed, [])
+        for a, b in zip(one.rows, four.rows):
+            self.assertEqual({n: float(q).hex() for n, q in a[3].items()}, {n: float(q).hex() for n, q in b[3].items()})
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Solvers in Python stand beside those of plugins, and are judged by the same host."""
+import unittest
+
+import numpy
+import scipy.optimize
+
+import netloft
+
+
+@netloft.solver
+def damped_newton(problem):
+    """Newton's method that halves steps until the residual decreases"""
+    u = problem.u
+    energy, r = problem.evaluate(u, tangent=True)
+    while problem.progress(u, energy, r):
+        if not problem.factorise(indefinite=True):
+            return
+        step, length = problem.solve(r), 1.0
+        while length > 1e-6:
+            try:
+                energy, trial = problem.evaluate(u - length * step, tangent=True)
+            except ValueError:  # forces are not defined there
+                trial = numpy.inf
+            if numpy.linalg.norm(trial) < numpy.linalg.norm(r):
+                break
+            length /= 2
+        else:
+            return
+        u, r = u - length * step, trial
+
+
+@netloft.solver
+def krylov_root(problem):
+    """scipy.optimize.root with Krylov's method"""
+    last = {}
+
+    def residual(u):
+        last["energy"], r = problem.evaluate(u)
+        return r
+
+    def keep(u, r):
+        problem.progress(u, last["energy"], r)
+
+    found = scipy.optimize.root(residual, problem.u, method="krylov", callback=keep, options={"fatol": 1e-9, "maxiter": 400})
+    problem.progress(found.x, *problem.evaluate(found.x))
+
+
+@netloft.solver
+def liar(problem):
+    """A solver that moves nothing"""
+
+
+@netloft.solver
+def careless(problem):
+    """A solver that fails"""
+    raise ZeroDivisionError("no step left")
+
+
+
+class ASolverInPython(unittest.TestCase):
+    def test_stands_beside_newton(self):
+        scene = netloft.load("dead-weight-panel.toml").with_({"parts.net.cells": [8, 8]})
+        start = scene.solve().points + 0.001
+        table = netloft.compare(scene, ["newton", damped_newton], start=start)
+        self.assertEqual([row["status"] for row in table.values()], ["converged", "converged"])
+        self.assertLess(table["damped_newton"]["distance"], 1e-6)
+        self.assertGreater(table["damped_newton"]["factorisations"], 2)
+
+    def test_may_be_that_of_scipy(self):
+        scene = netloft.load("dead-weight-panel.toml").with_({"parts.net.cells": [4, 4]})
+        newton = scene.solve(solver="newton")
+        start = newton.points + 0.01
+        table = netloft.compare(scene, ["newton", krylov_root], start=start)
+        self.assertEqual(table["krylov_root"]["status"], "converged", table["krylov_root"]["reason"])
+        self.assertLess(table["krylov_root"]["distance"], 1e-5)
+
+    def test_never_grades_itself(self):
+        with self.assertRaises(netloft.NotConverged):
+            netloft.load("hanging-rope.toml").solve(solver=liar)
+
+    def test_that_fails_is_named(self):
+        with self.assertRaisesRegex(netloft.NotConverged, "no step left"):
+            netloft.load("hanging-rope.toml").solve(solver=careless)
+
+    def test_is_no_longer_valid_after_its_call(self):
+        kept = []
+
+        @netloft.solver
+        def hoarder(problem):
+            kept.append(problem)
+
+        netloft.load("hanging-rope.toml").solve(solver=hoarder, raises=False)
+        with self.assertRaisesRegex(RuntimeError, "ended"):
+            kept[0].evaluate(numpy.zeros(kept[0].size))
+
+    def test_needs_a_name_of_its_own(self):
+        with self.assertRaisesRegex(netloft.Refused, "newton"):
+            netloft.solver(lambda problem: None, name="newton")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The wheel: made without a network, installed in a virtual environment, tried from an empty folder."""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+import zipfile
+from pathlib import Path
+
+import netloft
+
+BUILD, SOURCE = Path(os.environ["NETLOFT_BINARY_DIR"]), Path(os.environ["NETLOFT_SOURCE_DIR"])
+SMOKE = """
+import json, netloft
+r = netloft.load("83-112-flume-3.0kn.toml").with_({"gear.nodes": 150}).solve()
+maps = open("/proc/self/maps").read().split()
+print(json.dumps({"figures": {name: float(q).hex() for name, q in r.report.items()}, "file": netloft.__file__,
+                  "libraries": [m for m in maps if m.endswith(".so") or ".so." in m]}))
+"""
+
+
+class TheWheel(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        folder = Path(cls.folder.name)
+        subprocess.run([sys.executable, SOURCE / "io/python/make_wheel.py", "--cmake", os.environ["NETLOFT_CMAKE"], "--build", BUILD,
+                        "--source", SOURCE, "--version", netloft.__version__.split("+")[0].split(" ")[0], "--output", folder], check=True, stdout=subprocess.DEVNULL)
+        cls.wheel = next(folder.glob("*.whl"))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_names_no_folder_of_the_machine_it_was_made_on(self):
+        with zipfile.ZipFile(self.wheel) as archive:
+            names = archive.namelist()
+            for name in names:
+                content = archive.read(name)
+                for folder in (BUILD, SOURCE):
+                    self.assertNotIn(str(folder).encode() + b"/", content, name)
+        self.assertIn("netloft/lib/netloft/rope.so", names)
+        self.assertIn("netloft/share/netloft/gear-library/catalogue/twines.toml", names)
+
+    def test_works_in_an_environment_of_its_own(self):
+        place = Path(self.folder.name) / "environment"
+        empty = Path(self.folder.name) / "empty"
+        empty.mkdir()
+        clean = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "NETLOFT"))}
+        subprocess.run([sys.executable, "-m", "venv", "--without-pip", "--system-site-packages", place], check=True)
+        subprocess.run([sys.executable, "-m", "pip", "--python", place / "bin/python", "install", "--no-index", "--no-deps", "--quiet", self.wheel],
+                       check=True, env=clean)
+        done = subprocess.run([place / "bin/python", "-c", SMOKE], check=True, cwd=empty, env=clean, capture_output=True, text=True)
+        found = json.loads(done.stdout)
+        self.assertTrue(found["file"].startswith(str(place)))
+        foreign = {Path(library).name: library for library in found["libraries"]}
+        self.assertIn("libmetis.so.5", foreign)
+        self.assertTrue(foreign["libmetis.so.5"].startswith(str(place)), foreign["libmetis.so.5"])
+        here = netloft.load("83-112-flume-3.0kn.toml").with_({"gear.nodes": 150}).solve()
+        self.assertEqual(found["figures"], {name: float(q).hex() for name, q in here.report.items()})
+        self.assertEqual(list(empty.iterdir()), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
