@@ -7,6 +7,7 @@
 #include "io/program/session/find_plugins.hpp"
 #include "io/python/module/objects.hpp"
 #include "io/python/module/opened_scene.hpp"
+#include "io/python/module/python_element.hpp"
 #include "io/python/module/python_solver.hpp"
 #include "io/results/file/provenance.hpp"
 
@@ -50,6 +51,8 @@ PYBIND11_MODULE(_netloft, module) {
   bind_answers(module);
   bind_stored(module);
   bind_problem(module);
+  bind_search(module);
+  bind_elements(module);
   program::find_plugins({}, registry());
   module.def("add_plugins", [](const std::string& folder) {
     const std::lock_guard lock(reading());

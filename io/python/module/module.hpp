@@ -9,5 +9,7 @@ void bind_scenes(pybind11::module_& module);
 void bind_answers(pybind11::module_& module);
 void bind_stored(pybind11::module_& module);
 void bind_problem(pybind11::module_& module);
+void bind_search(pybind11::module_& module);
+void bind_elements(pybind11::module_& module);
 
 }  // namespace netloft::python

@@ -3,12 +3,12 @@
 
 #include <netloft/solver.hpp>
 
-#include "io/python/module/opened_scene.hpp"
+#include "io/python/module/module.hpp"
+#include "io/python/module/python_plugin.hpp"
 
 #include <pybind11/numpy.h>
 
 #include <cstring>
-#include <deque>
 #include <memory>
 
 namespace netloft::python {
@@ -90,40 +90,17 @@ bool progress(PythonProblem& p, const Vector& u, double energy, const Vector& re
   return goes_on;
 }
 
-/// A solver in Python, as a plugin describes it. It lives as long as the process, as plugins do.
-struct PythonPlugin {
-  std::string name, doc;
-  py::function solve;
-  netloft_parameter which{};
-  netloft_solver solver{};
-  netloft_solvers offer{};
-  netloft_plugin plugin{};
-};
-
-std::deque<PythonPlugin>& python_plugins() {
-  static auto& all = *new std::deque<PythonPlugin>;  // never destroyed: the interpreter ends first
-  return all;
-}
-
-const netloft_plugin* last_plugin() { return &python_plugins().back().plugin; }
-
-const void* last_offer(const char* id) {
-  return std::strcmp(id, NETLOFT_EXT_SOLVER) == 0 ? &python_plugins().back().offer : nullptr;
-}
-
 void say(netloft_problem& problem, const char* text) {
   if (problem.message) std::snprintf(problem.message, problem.message_size, "%s", text);
 }
 
 /// The function `solve` of all solvers in Python: the parameter says which one.
-int call_python(const void* parameters, netloft_problem* problem) {
-  std::int64_t which = 0;
-  std::memcpy(&which, parameters, sizeof which);
+int call_solver_in_python(const void* parameters, netloft_problem* problem) {
   const py::gil_scoped_acquire interpreter;
   auto seen = std::make_shared<PythonProblem>(*problem);
   int outcome = NETLOFT_STOPPED;
   try {
-    python_plugins()[static_cast<std::size_t>(which)].solve(seen);
+    plugin_of(parameters).call(seen);
   } catch (const std::exception& e) {
     say(*problem, e.what());
     outcome = NETLOFT_SOLVER_ERROR;
@@ -132,51 +109,20 @@ int call_python(const void* parameters, netloft_problem* problem) {
   return outcome;
 }
 
-void describe(PythonPlugin& p, double number) {
-  p.which.size = sizeof p.which;
-  p.which.kind = NETLOFT_INTEGER;
-  p.which.name = "callable";
-  p.which.unit = "1";
-  p.which.doc = "number of the callable in this process";
-  p.which.fallback = p.which.lo = p.which.hi = number;
-
-  p.solver.size = sizeof p.solver;
-  p.solver.name = p.name.c_str();
-  p.solver.doc = p.doc.c_str();
-  p.solver.parameter_bytes = sizeof(std::int64_t);
-  p.solver.parameter_count = 1;
-  p.solver.parameters = &p.which;
-  p.solver.solve = &call_python;
-  p.offer = {sizeof p.offer, 1, &p.solver};
-
-  p.plugin.size = sizeof p.plugin;
-  p.plugin.abi_major = NETLOFT_ABI_MAJOR;
-  p.plugin.abi_minor = NETLOFT_ABI_MINOR;
-  p.plugin.flags = NETLOFT_BUILD_FLAGS;
-  p.plugin.name = p.name.c_str();
-  p.plugin.version = "1";
-  p.plugin.doc = p.doc.c_str();
-  p.plugin.compiler = "Python";
-  p.plugin.extension = &last_offer;
-}
-
 }  // namespace
 
 void add_solver(const std::string& name, const std::string& doc, py::function solve) {
-  const std::lock_guard lock(reading());
-  for (const std::string& taken : registry().available())
-    if (taken == name)
-      throw PluginRefused("\"" + name +
-                          "\" is the name of a plugin already; choose another one for this solver");
-  auto& plugin = python_plugins().emplace_back(PythonPlugin{name, doc, std::move(solve)});
-  describe(plugin, static_cast<double>(python_plugins().size() - 1));
-  registry().add_builtin(name, &last_plugin);
-  try {
-    registry().plugin(name);
-  } catch (...) {
-    python_plugins().pop_back();
-    throw;
-  }
+  add_python_plugin(name, doc, std::move(solve), {}, [](PythonPlugin& p) {
+    auto& solver = p.solver;
+    solver.size = sizeof solver;
+    solver.name = p.name.c_str();
+    solver.doc = p.doc.c_str();
+    solver.parameter_bytes = p.parameter_bytes();
+    solver.parameter_count = static_cast<std::uint32_t>(p.rows.size());
+    solver.parameters = p.rows.data();
+    solver.solve = &call_solver_in_python;
+    p.solvers = {sizeof p.solvers, 1, &solver};
+  });
 }
 
 void bind_problem(py::module_& module) {

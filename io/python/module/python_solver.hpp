@@ -12,7 +12,4 @@ namespace netloft::python {
 /// there already.
 void add_solver(const std::string& name, const std::string& doc, pybind11::function solve);
 
-/// Adds the class Problem to the module.
-void bind_problem(pybind11::module_& module);
-
 }  // namespace netloft::python

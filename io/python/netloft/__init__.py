@@ -10,12 +10,13 @@
 from pathlib import Path as _Path
 
 from . import _netloft
+from .elements import Parameter, check, element
 from .errors import Interrupted, NetloftError, NotConverged, Refused, WrongInput
 from .motion import Stored, read, simulate
 from .quantity import Quantity
 from .result import Equilibrium
 from .scene import Scene, library, load
-from .solvers import compare, solver
+from .solvers import compare, solver, strategy
 from .study import Study, study
 
 __version__ = _netloft.__version__
@@ -28,5 +29,5 @@ def add_plugins(folder):
     _netloft.add_plugins(str(_Path(folder).resolve()))
 
 
-__all__ = ["Equilibrium", "Interrupted", "NetloftError", "NotConverged", "Quantity", "Refused", "Scene", "Stored", "Study", "WrongInput",
-           "add_plugins", "compare", "library", "load", "read", "simulate", "solver", "study"]
+__all__ = ["Equilibrium", "Interrupted", "NetloftError", "NotConverged", "Parameter", "Quantity", "Refused", "Scene", "Stored", "Study", "WrongInput",
+           "add_plugins", "check", "compare", "element", "library", "load", "read", "simulate", "solver", "strategy", "study"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Solvers that are written in Python."""
+"""Solvers and strategies that are written in Python."""
 
 import re
 
@@ -22,10 +22,31 @@ def solver(function=None, *, name=None):
                 u = u - problem.solve(r)
                 energy, r = problem.evaluate(u, tangent=True)
     """
+    return _component(function, name, _netloft.add_solver)
+
+
+def strategy(function=None, *, name=None):
+    """Makes a callable a strategy, beside "auto" and the others: how an equilibrium is found, with solvers.
+
+    It is called with a Search, whose `solve(u, solver=…, level=…, stiffness_cap=…, compression=…, current=…)`
+    solves the scene, or an easier variant of it, and returns a dict: u, ending, residual, load, energy, spent,
+    iterations, factorisations. `answer(u)` reports an equilibrium of the scene itself, which Netloft judges.
+
+        @netloft.strategy
+        def soft_first(search):
+            soft = search.solve(search.start, stiffness_cap=1e3)
+            stage = search.solve(soft["u"])
+            if stage["ending"] == "converged":
+                search.answer(stage["u"])
+    """
+    return _component(function, name, _netloft.add_strategy)
+
+
+def _component(function, name, add):
     if function is None:
-        return lambda f: solver(f, name=name)
+        return lambda f: _component(f, name, add)
     own = name or re.sub(r"[^a-z0-9]+", "_", function.__name__.lower()).strip("_")
-    _netloft.add_solver(own, (function.__doc__ or "a solver in Python").strip().splitlines()[0], function)
+    add(own, (function.__doc__ or "written in Python").strip().splitlines()[0], function)
     function.netloft_name = own
     return function
 

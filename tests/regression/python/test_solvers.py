@@ -99,5 +99,46 @@ class ASolverInPython(unittest.TestCase):
             netloft.solver(lambda problem: None, name="newton")
 
 
+@netloft.strategy
+def soft_first(search):
+    """Soft members first, then the scene itself"""
+    soft = search.solve(search.start, name="soft", stiffness_cap=10 * search.load, tolerance=1e-3)
+    stage = search.solve(soft["u"], name="as it is")
+    if stage["ending"] == "converged":
+        search.answer(stage["u"])
+
+
+@netloft.strategy
+def coarse_first(search):
+    """The coarsest mesh by pseudo-time, then each finer one"""
+    u = search.transfer(0, search.start, search.levels - 1)
+    for level in reversed(range(search.levels)):
+        stage = search.solve(u, level=level, solver="ptc" if level else "newton")
+        u = search.transfer(level, stage["u"], level - 1) if level else stage["u"]
+    search.answer(u)
+
+
+@netloft.strategy
+def answers_anything(search):
+    """Claims that the start is an equilibrium"""
+    search.answer(search.start)
+
+
+class AStrategyInPython(unittest.TestCase):
+    def test_finds_what_auto_finds(self):
+        scene = netloft.load("dead-weight-panel.toml").with_({"parts.net.cells": [16, 16]})
+        auto = scene.solve()
+        for own in (soft_first, coarse_first):
+            with self.subTest(own.netloft_name):
+                found = scene.solve(strategy=own)
+                self.assertLess(numpy.abs(found.points - auto.points).max(), 1e-6)
+                names = [stage["name"] for stage in found.to_dict()["stages"]]
+                self.assertGreater(len(names), 1)
+
+    def test_never_grades_itself(self):
+        with self.assertRaises(netloft.NotConverged):
+            netloft.load("hanging-rope.toml").solve(strategy=answers_anything)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+namespace netloft::python {
+
+/// Makes a callable of Python a strategy with the name `name`. It is called with a Search, and reports
+/// equilibria by Search.answer(). Throws PluginRefused if there is a plugin of that name already.
+void add_strategy(const std::string& name, const std::string& doc, pybind11::function run);
+
+}  // namespace netloft::python

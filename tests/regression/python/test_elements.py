@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""An energy in Python is an element: it conforms, and hangs as the plugin hangs."""
+import math
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy
+
+import netloft
+
+EA, DENSITY, DIAMETER = 1e4, 2000.0, 0.02
+WEIGHT = (DENSITY - 1000) * 9.81 * math.pi / 4 * DIAMETER**2  # in water [N/m]
+
+SCENE = """
+[water]
+density = 1000
+gravity = 9.81
+
+[parts.rope]
+type = "{type}"
+length = "10 m"
+cells = 20
+sketch = [[-4, 0, 0], [0, 0, -2.5], [4, 0, 0]]
+{table}
+
+[[hold]]
+on = "rope.start"
+
+[[hold]]
+on = "rope.end"
+"""
+
+
+@netloft.element(nodes=2, data=["rest_length"], from_outside=True,
+                 parameters={"cord.EA": netloft.Parameter("N", "axial stiffness", low=1, high=1e9),
+                             "cord.weight": netloft.Parameter("N/m", "weight in water", default=0.0, low=-1e6, high=1e6)})
+def cord(x, of):
+    """An elastic bar with weight"""
+    chord = x[:, 1] - x[:, 0]
+    length = numpy.sqrt((chord * chord).sum(axis=1))
+    elastic = of.EA * (length - of.rest_length) ** 2 / (2 * of.rest_length)
+    return elastic + of.weight * of.rest_length * x[:, :, 2].mean(axis=1)
+
+
+class AnEnergy(unittest.TestCase):
+    def solve(self, **words):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "scene.toml"
+            path.write_text(SCENE.format(**words))
+            return netloft.Scene(path).solve()
+
+    def test_conforms(self):
+        self.assertEqual([row for row in netloft.check(cord) if row[1] == "failed"], [])
+
+    def test_that_is_wrong_does_not_conform(self):
+        @netloft.element(nodes=2, parameters={"bad.EA": netloft.Parameter("N", "stiffness", low=1, high=1e6)})
+        def pulls_to_the_origin(x, of):
+            """A bar that claims to need nothing outside"""
+            return of.EA * (x * x).sum(axis=(1, 2))
+
+        failed = [name for name, outcome, *_ in netloft.check(pulls_to_the_origin) if outcome == "failed"]
+        self.assertIn("translation-changes-nothing", failed)
+
+    def test_hangs_as_the_plugin_hangs(self):
+        ours = self.solve(type="cord/energy", table=f"cord = {{ EA = {EA}, weight = {WEIGHT!r} }}")
+        plugin = self.solve(type="rope/bar", table=f"rope = {{ EA = {EA}, EA_compression = {EA}, density = {DENSITY}, diameter = {DIAMETER} }}")
+        self.assertEqual(ours.stability, "stable")
+        self.assertLess(numpy.abs(ours.points - plugin.points).max(), 1e-8)
+
+    def test_that_is_never_defined_is_named(self):
+        @netloft.element(nodes=2, parameters={"void.EA": netloft.Parameter("N", "stiffness", default=1.0)})
+        def nothing_is_defined(x, of):
+            """A bar that is nowhere defined"""
+            return of.EA * x[:, 0, 0] * float("nan")
+
+        with self.assertRaises(netloft.NotConverged):
+            self.solve(type="nothing-is-defined/energy", table="")
+
+    def test_with_unknown_data_is_refused(self):
+        with self.assertRaisesRegex(netloft.Refused, "have no data \"length_at_rest\""):
+            netloft.element(nodes=2, parameters={}, data=["length_at_rest"])(lambda x, of: 0)
+
+    def test_tells_its_parameters_to_scenes(self):
+        with self.assertRaisesRegex(netloft.WrongInput, "EA"):
+            self.solve(type="cord/energy", table="cord = { EA = -1.0 }")
+
+
+if __name__ == "__main__":
+    unittest.main()
