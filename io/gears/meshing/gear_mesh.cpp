@@ -86,7 +86,9 @@ class Divider {
   }
 
   std::shared_ptr<const MeshTopology> topology() const {
-    auto all = std::make_shared<MeshTopology>(size_, lines_.number_of_points);
+    auto all = std::make_shared<MeshTopology>();
+    all->size = size_;
+    all->points = lines_.number_of_points;
     for (const Line& line : lines_.lines) {
       all->ends.push_back(line.ends);
       all->fractions.push_back(line.fractions);

@@ -39,6 +39,13 @@ Displacements displacements_from(const Numbers& u) { return {u.data(), u.data() 
 
 Numbers array_from(const Displacements& u) { return Numbers(static_cast<py::ssize_t>(u.size()), u.data()); }
 
+/// The number of meshes that there are: level 0 is that of the scene.
+unsigned count_levels(PythonSearch& search) {
+  unsigned levels = 1;
+  while (levels < search.valid().levels() && search.valid().size(levels) > 0) ++levels;
+  return levels;
+}
+
 /// A stage as a dict: u, ending, residual, load, energy, spent, iterations, factorisations, growing.
 py::dict stage_dict(const Stage& stage) {
   static constexpr const char* kEndings[] = {"converged",   "unstable",  "not converged",
@@ -105,7 +112,7 @@ void add_strategy(const std::string& name, const std::string& doc, py::function 
 void bind_search(py::module_& module) {
   py::class_<PythonSearch, std::shared_ptr<PythonSearch>>(module, "Search")
       .def_property_readonly("start", [](PythonSearch& s) { return array_from(s.valid().start()); })
-      .def_property_readonly("levels", [](PythonSearch& s) { return s.valid().levels(); })
+      .def_property_readonly("levels", &count_levels)
       .def_property_readonly("conservative", [](PythonSearch& s) { return s.valid().conservative(); })
       .def_property_readonly("gear_size", [](PythonSearch& s) { return s.valid().gear_size(); })
       .def_property_readonly("stiffness", [](PythonSearch& s) { return s.valid().stiffness(); })
