@@ -28,12 +28,15 @@ inline constexpr KnownOutput kStrain{"strain", "1",
                                      "strain, which gives a mesh made from a result its unstretched lengths"};
 inline constexpr KnownOutput kNormalForce{
     "normal_force", "N", "force of the ground on a node: shows which nodes touch the bed, and how hard"};
+inline constexpr KnownOutput kGap{"gap", "m",
+                                  "height over the ground, negative where a node touches it: shows which "
+                                  "nodes are about to touch or leave it"};
 inline constexpr KnownOutput kPressure{"pressure", "Pa",
                                        "pressure of a catch on netting: shows where to draw the catch"};
 inline constexpr KnownOutput kVolume{"volume", "m3", "volume of a catch in the element"};
 
-inline constexpr std::array kKnown = {kMass,   kTwineArea,   kKnots,    kHalfAngle, kDrag,
-                                      kStrain, kNormalForce, kPressure, kVolume};
+inline constexpr std::array kKnown = {kMass,   kTwineArea,   kKnots, kHalfAngle, kDrag,
+                                      kStrain, kNormalForce, kGap,   kPressure,  kVolume};
 
 }  // namespace output
 

@@ -3,6 +3,7 @@
 
 #include <netloft/vectors.hpp>
 
+#include "framework/assembler/members.hpp"
 #include "framework/assembler/pattern.hpp"
 #include "framework/registry/host_function.hpp"
 #include "framework/registry/plugin_call.hpp"
@@ -15,23 +16,6 @@
 namespace netloft {
 
 namespace {
-
-/// Whether the type has members and the term of members is active in this scene.
-bool has_members(const ElementFamily& family) {
-  return family.type().members.count > 0 && family.reads(NETLOFT_OF_MEMBERS);
-}
-
-std::vector<netloft_member> members_of(const ElementFamily& family) {
-  const netloft_element_members& members = family.type().members;
-  std::vector<netloft_member> reported(family.size() * members.count);
-  const auto count = static_cast<std::uint32_t>(family.size());
-  const int status = call_plugin({family.type().type.c_str(), "members", nullptr, CallFrame::Kind::element},
-                                 int{NETLOFT_ERROR},
-                                 [&] { return members.write(family.self(), 0, 0, count, reported.data()); });
-  if (const std::string broken = take_broken_rule(); !broken.empty()) throw std::runtime_error(broken);
-  if (status != NETLOFT_OK) throw std::runtime_error(family.type().type + " could not report its members");
-  return reported;
-}
 
 bool bears(const netloft_member& member) { return member.EA != 0 || member.EA_compression != 0; }
 

@@ -91,7 +91,7 @@ Status OnBed::Contact::evaluate(const Parameters& p, const Data& d, const Whole&
   if (!b.is_there) return Status::ok;
   using T = Dual<2>;
   const T m = factor(whole.stiffness, Vec3<T>{T::variable(s.x[0].x, 0), T::variable(s.x[0].y, 1), T(0)});
-  const Plane::Depth depth = Plane::press(b.height + p.radius - s.x[0].z, p.softness);
+  const Plane::Depth depth = Plane::press(-gap(p, s), p.softness);
   const double K = stiffness_of(p, d), up[3] = {-b.slope_x, -b.slope_y, 1};
   const double bent[3][3] = {{b.xx, b.xy, 0}, {b.xy, b.yy, 0}, {0, 0, 0}};
   const double grows[3] = {m.gradient[0], m.gradient[1], 0};

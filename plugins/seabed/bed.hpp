@@ -46,12 +46,14 @@ struct OnBed {
   /// The length L of (2) [m]. A node without rope or twine counts as one metre per piece, such as a weight.
   static double metres_of(const Data& d) { return d.length > 0 ? d.length : d.pieces; }
   static double stiffness_of(const Parameters& p, const Data& d) { return p.stiffness * metres_of(d); }
+  /// The gap g of (1), in a scene with a bed.
+  static double gap(const Parameters& p, const State<1>& s) { return s.x[0].z - s.bed[0].height - p.radius; }
   /// The normal force N of (3), in a scene with a bed.
   static double normal_force(const Parameters& p, const Data& d, const Whole& whole, const State<1>& s) {
     const Bed& b = s.bed[0];
     const double slope = std::sqrt(1 + b.slope_x * b.slope_x + b.slope_y * b.slope_y);
     return factor(whole.stiffness, s.x[0]) * stiffness_of(p, d) * slope *
-           Plane::press(b.height + p.radius - s.x[0].z, p.softness).f1;
+           Plane::press(-gap(p, s), p.softness).f1;
   }
 
   struct Contact {

@@ -57,10 +57,13 @@ Plane::Slip Plane::slip(double speed, double creep) {  // (9)
   return {(2 - speed / creep) / creep, speed > 0 ? -1 / (creep * creep * speed) : 0};
 }
 
-double Plane::normal_force(const Parameters& p, const Data& d, const State<1>& s) {
+double Plane::gap(const Parameters& p, const State<1>& s) {
   const double n_z = 1 / std::sqrt(1 + p.slope_x * p.slope_x + p.slope_y * p.slope_y);
-  const double h = n_z * (s.x[0].z + p.depth - p.slope_x * s.x[0].x - p.slope_y * s.x[0].y);
-  return p.stiffness * (d.length > 0 ? d.length : d.pieces) * press(-h, p.softness).f1;
+  return n_z * (s.x[0].z + p.depth - p.slope_x * s.x[0].x - p.slope_y * s.x[0].y);
+}
+
+double Plane::normal_force(const Parameters& p, const Data& d, const State<1>& s) {
+  return p.stiffness * (d.length > 0 ? d.length : d.pieces) * press(-gap(p, s), p.softness).f1;
 }
 
 Status Plane::Contact::tile(const Family<Plane>& family, netloft_tile& t) {

@@ -61,6 +61,8 @@ struct Plane {
   static constexpr double kCreep = 0.01;
   /// Relative rounding error of positions after the few sums of (1) to (4).
   static constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+  /// The height h of (1).
+  static double gap(const Parameters& p, const State<1>& s);
   static double normal_force(const Parameters& p, const Data& d, const State<1>& s);
 
   static void check(const Parameters&, const Data& d);

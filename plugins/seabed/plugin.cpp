@@ -8,6 +8,13 @@ namespace {
 
 using netloft::Real;
 
+void add_bed_outputs(netloft::ElementTable<OnBed>& e) {
+  e.output_of_whole("normal_force", "N", "force of the bed on the node, along its normal",
+                    [](auto& p, auto& d, auto& w, auto& s) { return OnBed::normal_force(p, d, w, s); });
+  e.output("gap", "m", "height of the lower side of the node over the bed, negative where they touch",
+           [](auto& p, auto&, auto& s) { return OnBed::gap(p, s); });
+}
+
 void add_bed(netloft::Plugin& plugin) {
   using P = OnBed::Parameters;
   auto& e = plugin.element<OnBed>("bed", "The bed of the scene under nodes, of any shape");
@@ -45,8 +52,7 @@ void add_bed(netloft::Plugin& plugin) {
   e.term<OnBed::Loss,
          netloft::reads_bed | netloft::reads_velocity | netloft::needs_motion | netloft::from_outside>(
       "loss", "energy loss of the bed in compression", "seabed.loss_factor");
-  e.output_of_whole("normal_force", "N", "force of the bed on the node, along its normal",
-                    [](auto& p, auto& d, auto& w, auto& s) { return OnBed::normal_force(p, d, w, s); });
+  add_bed_outputs(e);
 }
 
 }  // namespace
@@ -82,5 +88,7 @@ NETLOFT_PLUGIN("seabed", "0.1.0", "The ground under a gear, with contact and fri
       "seabed.friction");
   e.output("normal_force", "N", "force of the seabed on the node, along its normal",
            [](auto& p, auto& d, auto& s) { return Plane::normal_force(p, d, s); });
+  e.output("gap", "m", "height of the node over the seabed, negative where they touch",
+           [](auto& p, auto&, auto& s) { return Plane::gap(p, s); });
   add_bed(plugin);
 }

@@ -56,6 +56,17 @@ TEST(SeabedBed, PushesAlongItsNormalAndStiffensWhereItIsHollow) {
   EXPECT_NEAR(out.tangent[0][0], 6e4 * 0.04 + push * 0.03, 1e-9);
 }
 
+// The normal force begins where the gap changes its sign.
+TEST(SeabedBed, HasAGapAboveAndBelowItsSurface) {
+  OnBed::Parameters p = firm();
+  p.radius = 0.25;
+  for (const double height : {-0.02, -1e-9, 1e-9, 0.4}) {
+    const State<1> s = node_over(hill(-40), -40 + p.radius + height);
+    EXPECT_NEAR(OnBed::gap(p, s), height, 1e-14);
+    EXPECT_EQ(OnBed::normal_force(p, {2, 0}, {}, s) > 0, height < 0) << height;
+  }
+}
+
 TEST(SeabedBed, LiesDeeperUnderBobbins) {
   OnBed::Parameters p = firm();
   p.radius = 0.25;

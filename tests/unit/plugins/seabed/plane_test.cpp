@@ -55,6 +55,17 @@ TEST(SeabedContact, HasNoJumpInEnergyForceOrStiffness) {
   }
 }
 
+// The distance from a plane through (0, 0, -50) with the normal (-0.2, 0.1, 1).
+TEST(SeabedContact, HasAGapAlongItsNormal) {
+  State<1> s;
+  for (const double height : {-0.3, 0.7}) {
+    const double n = std::sqrt(1 + 0.04 + 0.01);
+    s.x[0] = {3 - 0.2 / n * height, 5 + 0.1 / n * height, -50 + 0.2 * 3 - 0.1 * 5 + height / n};
+    EXPECT_NEAR(Plane::gap(sloping(), s), height, 1e-13);
+    EXPECT_EQ(Plane::normal_force(sloping(), {2, 0}, s) > 0, height < 0);
+  }
+}
+
 TEST(SeabedContact, CarriesAWireWhereItsWeightSaysSo) {  // ε/2 + w/k below
   Plane::Parameters p = sloping();
   p.slope_x = p.slope_y = 0, p.stiffness = 1e4;
