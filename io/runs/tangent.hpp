@@ -11,6 +11,14 @@ namespace netloft::runs {
 /// Whether displacements of scene `a` are valid for scene `b`: both have the same unknowns in the same order.
 bool have_same_topology(const PreparedScene& a, const PreparedScene& b);
 
+/// Positions x + x_low over all degrees of freedom; x_low has the digits that rounding removes from x [m].
+struct ExactPlace {
+  std::vector<double> x, x_low;
+};
+/// The place `times` dx away from another one, whose x_low may be empty. Differences between neighbouring
+/// places keep all digits of dx.
+ExactPlace moved(const ExactPlace& from, const std::vector<double>& dx, double times);
+
 /// First-order changes of the equilibrium x of a scene when its values change a little. From the scene
 /// `before` to the scene `after`, which have slightly different values and the same topology,
 ///   K(x) dx = −(r_after(x) − r_before(x))                                                (1)
@@ -20,15 +28,33 @@ class Tangent {
  public:
   Tangent(PreparedScene& scene, std::vector<double> x);
 
-  /// dx over all degrees of freedom, the held ones included. nullopt if K cannot be factorised, or if x
-  /// cannot be evaluated in one of the scenes. nullopt also if the scene leaves quantities to the search
-  /// (Scene::settings), because these would have to change as well.
-  std::optional<std::vector<double>> between(PreparedScene& before, PreparedScene& after);
-  /// The change from the scene itself to `near`.
-  std::optional<std::vector<double>> towards(PreparedScene& near) { return between(scene_, near); }
+  /// The change from the scene itself to `near`, over all degrees of freedom, the held ones included. nullopt
+  /// if K cannot be factorised, or if x cannot be evaluated in one of the scenes. nullopt also if the scene
+  /// leaves quantities to the search (Scene::settings), because these would have to change as well.
+  std::optional<std::vector<double>> towards(PreparedScene& near);
+  /// The change between two scenes around the scene itself, which divides it: θ, from 0 to 1, is the part
+  /// from the scene to `after`. At one x, a stiff member whose length has changed may be slack in one of the
+  /// scenes. Further steps remove this error of (1), and those of rounding:
+  ///   K ddx = −(r_after(x + θ dx) − r_before(x + (θ − 1) dx))                             (2)
+  /// nullopt as for towards().
+  std::optional<std::vector<double>> between(PreparedScene& before, PreparedScene& after, double theta);
   /// The positions at which the scene `near` is in equilibrium, to second order: one step with K from
-  /// positions y near its equilibrium, y − K⁻¹ r_near(y). nullopt as for between().
+  /// positions y near its equilibrium, y − K⁻¹ r_near(y). nullopt as for towards().
   std::optional<std::vector<double>> corrected(PreparedScene& near, const std::vector<double>& y);
+
+  /// The growth of the change dx = between(before, after, theta) itself, per such change, if it is about to
+  /// diverge at a fold; 0 if it is not. If the stiffness alone changes along dx, (1) has the second
+  /// derivative
+  ///   K d²x = −dK dx,   growth = dx·d²x / dx·dx                                            (3)
+  /// Near a fold, where K has the null vector φ, every dx is parallel to φ and grows with the distance s to
+  /// the fold as s^−½, in units of the change. Then d²x is parallel to dx, too, and
+  ///   growth = 1/2s                                                                         (4)
+  /// s < 0 means that the fold is on the way from `after` to `before`. A d²x that is more across dx than
+  /// along it, in the sum of squares over the unknowns, is that of no fold. dK is the difference between K at
+  /// x and K a part of the change further. Of both sides, the one with the smaller dK dx counts: on the other
+  /// one, a member may become slack. nullopt as for towards().
+  std::optional<double> growth(PreparedScene& before, PreparedScene& after, double theta,
+                               const std::vector<double>& dx);
 
   /// The cost of all changes.
   Statistics spent() const;
@@ -37,8 +63,19 @@ class Tangent {
   struct Point {
     std::vector<double> x, residual;  // over all degrees of freedom
   };
+  struct Step {
+    PreparedScene& after;
+    Point a, b;              // x in the scenes before and after
+    std::vector<double> du;  // of the unknowns
+    std::vector<double> motion(const std::vector<double>& du) const;
+  };
+  std::optional<Step> first_step(PreparedScene& before, PreparedScene& after);
+  std::optional<std::vector<double>> residual_at(PreparedScene& scene, const ExactPlace& place);
   std::optional<Point> evaluate(PreparedScene& scene, const std::vector<double>& x);
   bool is_defined() const;
+  std::optional<std::vector<double>> stiffness_change(PreparedScene& near, double fraction,
+                                                      const std::vector<double>& dx,
+                                                      const std::vector<double>& du);
   bool solve(std::vector<double> imbalance, std::vector<double>& du);
 
   PreparedScene& scene_;

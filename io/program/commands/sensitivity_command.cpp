@@ -85,8 +85,13 @@ int run_sensitivity(const SensitivityOptions& o) {
   const auto show = [&](std::size_t done, const std::string& path) {
     terminal.progress_in_steps("numbers", done, numbers.size(), path);
   };
-  const studies::Sensitivities found = studies::find_sensitivities(
-      scene, solution, {studies::all_figures(result), numbers, o.check, &interrupt_flag(), show});
+  const studies::Sensitivities found = studies::find_sensitivities(scene, solution,
+                                                                   {.figures = studies::all_figures(result),
+                                                                    .numbers = numbers,
+                                                                    .with_long_step = o.check,
+                                                                    .with_reach = true,
+                                                                    .interrupt = &interrupt_flag(),
+                                                                    .on_number = show});
   terminal.clear();
   return end_with(o, terminal, result, found, numbers.size());
 }

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/sensitivity/sensitivity.hpp"
 
+#include "framework/balance/scales.hpp"
+#include "framework/judging/correction.hpp"
 #include "framework/parameters/nearest.hpp"
 #include "io/formats/work/long_work.hpp"
 #include "io/results/figures/key_figures.hpp"
 #include "io/results/figures/make_result.hpp"
+#include "io/runs/equilibrium.hpp"
 #include "io/runs/tangent.hpp"
+#include "io/studies/sweep/branch.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +31,10 @@ namespace {
 constexpr double kShortStep = 1e-6;
 /// The long step as a multiple of h.
 constexpr double kLongStep = 1000;
+/// If a fold is at the distance s, K corrects the step of 2s along the tangent by half of its length: with
+/// d²x = dx/2s, the correction is ½ (2s)² d²x = s dx. A correction of less than half of that is that of no
+/// fold.
+constexpr double kTurnOfFold = 0.25;
 
 std::vector<results::NamedScalar> joined(std::initializer_list<std::vector<results::NamedScalar>> lists) {
   std::vector<results::NamedScalar> all;
@@ -44,22 +54,32 @@ struct Neighbours {
 class Sensitivity {
  public:
   Sensitivity(runs::PreparedScene& scene, const Solution& solution, const SensitivityRequest& request)
-      : scene_(scene), x_(solution.x), tangent_(scene, solution.x), request_(request) {}
+      : scene_(scene),
+        x_(solution.x),
+        x_low_(solution.x_low),
+        tangent_(scene, solution.x),
+        request_(request),
+        extent_(Scales(scene.assembler()).gear_size()) {
+    if (request.with_reach) switches_ = switches_at(scene.loaded().scene, scene.assembler(), x_);
+  }
+
+  SwitchSides sides() const { return sides_of(switches_); }
 
   NumberEffect effect_of(const SceneNumber& number) {
-    NumberEffect effect{number, {}, {}, {}};
+    NumberEffect effect{.number = number, .why_not = {}, .per_unit = {}, .by_long_step = {}};
     const double h = kShortStep * (number.value != 0 ? std::abs(number.value) : 1);
     const Neighbours near = neighbours(number, h);
     effect.why_not = near.why_not;
     if (!effect.why_not.empty()) return effect;
-    const auto change = tangent_.between(*near.below, *near.above);
+    const auto change = tangent_.between(*near.below, *near.above, near.fraction);
     if (!change) {
       effect.why_not = "the tangent at the equilibrium cannot be factorised";
       return effect;
     }
-    effect.per_unit =
-        divided(numbers_at(*near.above, moved(*change, near.fraction)),
-                numbers_at(*near.below, moved(*change, near.fraction - 1)), near.distance);  // (2)
+    if (request_.with_reach) find_reach(near, *change, effect);
+    if (!effect.why_not.empty()) return effect;
+    effect.per_unit = divided(numbers_beside(*near.above, *change, near.fraction),
+                              numbers_beside(*near.below, *change, near.fraction - 1), near.distance);  // (2)
     if (request_.with_long_step) effect.by_long_step = by_long_step(number, h, *change, near.distance);
     return effect;
   }
@@ -79,16 +99,68 @@ class Sensitivity {
 
   /// The equilibrium moved by a multiple of a change.
   std::vector<double> moved(const std::vector<double>& change, double times) const {
-    std::vector<double> there(x_);
-    for (std::size_t i = 0; i < there.size(); ++i) there[i] += times * change[i];
-    return there;
+    return runs::moved({x_, {}}, change, times).x;
   }
 
-  Figures numbers_at(runs::PreparedScene& scene, std::vector<double> x) const {
-    Solution there;
-    there.x = std::move(x);
+  static Figures numbers_at(runs::PreparedScene& scene, Solution there) {
     const auto numbers = results::numbers_at(scene.loaded(), scene.assembler(), std::move(there));
     return numbers ? joined({numbers->scalars, numbers->figures, numbers->reactions}) : Figures{};
+  }
+
+  /// Finds what the typical change of a number switches, and refuses it if that reaches a fold.
+  void find_reach(const Neighbours& near, const std::vector<double>& change, NumberEffect& effect) {
+    const double typical = typical_change(effect.number);
+    if (!(typical > 0)) return;
+    const auto beside = [&](runs::PreparedScene& scene, double times) {
+      return switches_at(scene.loaded().scene, scene.assembler(), moved(change, times));
+    };
+    effect.switches = switch_changes(scene_.loaded().scene, switches_, beside(*near.above, near.fraction),
+                                     beside(*near.below, near.fraction - 1), near.distance, typical);
+    const auto growth = tangent_.growth(*near.below, *near.above, near.fraction, change);
+    const double away = near.distance / (2 * growth.value_or(0));  // (4) of tangent.hpp
+    if (!(std::abs(away) <= typical)) return;
+    if (goes_on(effect.number.to(effect.number.value + 2 * away), moved(change, 2 * away / near.distance)))
+      return;
+    effect.fold_at = effect.number.value + away;
+    effect.why_not = why_not_near_fold(effect);
+  }
+
+  /// Whether the equilibrium continues to a changed scene, where it is expected at positions y. By the rules
+  /// of Branch for a fold, it does not if the solver fails from there, or ends noticeably elsewhere. True if
+  /// the scene cannot be changed so far.
+  bool goes_on(const std::vector<formats::Change>& changes, const std::vector<double>& y) {
+    std::string why_not;
+    const auto beyond = open(changes, why_not);
+    if (!why_not.empty()) return true;
+    const auto apart = [&](const std::vector<double>& a, const std::vector<double>& b) {
+      return largest_node_distance(scene_.loaded().scene, scene_.assembler().numbering(), a, b);
+    };
+    const auto corrected = tangent_.corrected(*beyond, y);
+    if (corrected && apart(*corrected, y) <= kTurnOfFold * apart(y, x_)) return true;
+    const BranchOptions rules;
+    const Solution there = runs::continue_equilibrium(*beyond, beyond->assembler().displacements_to(y),
+                                                      rules.iterations, {.interrupt = request_.interrupt});
+    if (there.status == SolveStatus::interrupted) throw formats::Interrupted{};
+    if (there.status != SolveStatus::converged) return false;
+    const double off = apart(there.x, y);
+    return off <= apart(y, x_) || off <= rules.noticed * extent_;
+  }
+
+  static std::string why_not_near_fold(const NumberEffect& effect) {
+    const SceneNumber& number = effect.number;
+    const std::string unit = number.unit.empty() ? "" : " " + number.unit;
+    return fmt::format(
+        "the equilibrium ends in a fold near {:.5g}{}, less than {} away; `netloft study` shows what follows",
+        effect.fold_at, unit, number.deviation > 0 ? "a standard deviation" : "one percent");
+  }
+
+  /// The numbers of a scene at moved(change, times), with all digits of the change: the difference of
+  /// tensions in stiff ropes has not many without them.
+  Figures numbers_beside(runs::PreparedScene& scene, const std::vector<double>& change, double times) const {
+    runs::ExactPlace place = runs::moved({x_, x_low_}, change, times);
+    Solution there;
+    there.x = std::move(place.x), there.x_low = std::move(place.x_low);
+    return numbers_at(scene, std::move(there));
   }
 
   /// The derivatives by the long step, between positions that are predicted from the change over a short
@@ -99,7 +171,10 @@ class Sensitivity {
     if (!far.why_not.empty()) return divided({}, {}, 1);
     const auto figures_at = [&](runs::PreparedScene& scene, double fraction) {
       const auto x = tangent_.corrected(scene, moved(change, fraction * far.distance / distance));
-      return x ? numbers_at(scene, *x) : Figures{};
+      if (!x) return Figures{};
+      Solution there;
+      there.x = *x;
+      return numbers_at(scene, std::move(there));
     };
     return divided(figures_at(*far.above, far.fraction), figures_at(*far.below, far.fraction - 1),
                    far.distance);
@@ -140,9 +215,11 @@ class Sensitivity {
   }
 
   runs::PreparedScene& scene_;
-  std::vector<double> x_;
+  std::vector<double> x_, x_low_;
   runs::Tangent tangent_;
   const SensitivityRequest& request_;
+  double extent_;      // size of the gear at its start [m]
+  Switches switches_;  // at the equilibrium; none without `with_reach`
 };
 
 /// The name of a figure of a study, such as "gear/mouth/headline_height", in the result of a run.
@@ -161,7 +238,7 @@ bool is_in_group(const std::string& name, const std::string& group) {
 Sensitivities find_sensitivities(runs::PreparedScene& scene, const Solution& solution,
                                  const SensitivityRequest& request) {
   Sensitivity at(scene, solution, request);
-  Sensitivities found{request.figures, {}};
+  Sensitivities found{.figures = request.figures, .effects = {}, .sides = at.sides()};
   try {
     for (const SceneNumber& number : request.numbers) {
       if (request.interrupt && request.interrupt->load()) throw formats::Interrupted{};
@@ -221,9 +298,12 @@ double effect_of_percent(const NumberEffect& effect, std::size_t f) {
   return 0.01 * std::abs(effect.number.value) * effect.per_unit[f];
 }
 
+double typical_change(const SceneNumber& number) {
+  return number.deviation > 0 ? number.deviation : 0.01 * std::abs(number.value);
+}
+
 double typical_effect(const NumberEffect& effect, std::size_t f) {
-  return effect.number.deviation > 0 ? effect.number.deviation * effect.per_unit[f]
-                                     : effect_of_percent(effect, f);
+  return typical_change(effect.number) * effect.per_unit[f];
 }
 
 double propagated_deviation(const Sensitivities& found, std::size_t f) {

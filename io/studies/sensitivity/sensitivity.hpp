@@ -4,6 +4,7 @@
 #include "io/results/figures/result.hpp"
 #include "io/runs/prepared_scene.hpp"
 #include "io/studies/sensitivity/scene_numbers.hpp"
+#include "io/studies/sensitivity/switches.hpp"
 
 #include <atomic>
 #include <functional>
@@ -18,11 +19,15 @@ struct NumberEffect {
   std::string why_not;               // why there are no derivatives; empty if there are
   std::vector<double> per_unit;      // dg/dp in the units of figure and number; NaN: not defined
   std::vector<double> by_long_step;  // dg/dp by a step that is longer by kLongStep; empty: not requested
+  // The value of the number at which a fold is expected; NaN: none within its typical change.
+  double fold_at = results::NamedScalar::kUnknown;
+  SwitchChanges switches = {};  // what its typical change makes taut, slack, or touch or leave the ground
 };
 
 struct Sensitivities {
   std::vector<results::NamedScalar> figures;  // [results] of the scene, figures of the gear, forces of holds
   std::vector<NumberEffect> effects;
+  SwitchSides sides = {};       // what is slack and what touches the ground, in all derivatives
   bool is_interrupted = false;  // the effects of further numbers are missing
 };
 
@@ -34,6 +39,7 @@ struct SensitivityRequest {
   std::vector<results::NamedScalar> figures;  // all_figures() of the equilibrium
   std::vector<SceneNumber> numbers;
   bool with_long_step = false;  // find each derivative with a second, longer step
+  bool with_reach = false;      // find what ends the validity of each derivative: switches and folds
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(std::size_t done, const std::string& path)> on_number = {};
 };
@@ -52,7 +58,12 @@ struct SensitivityRequest {
 /// number has no derivatives if the scene is valid on neither side, or has other unknowns there.
 ///
 /// The derivatives hold while no member becomes taut or slack, and no node touches or leaves the ground.
-/// A member or node that is about to do so has another derivative with the long step.
+/// A member or node that is about to do so has another derivative with the long step. With the reach of
+/// derivatives, switch_changes() finds what the typical change of a number would switch, to first order. A
+/// number has no derivatives if its typical change reaches a fold: if runs::Tangent::growth() foresees a fold
+/// so near, and if at twice this distance the solver finds no equilibrium where (1) expects it, by the rules
+/// of Branch. Without the second condition, slack netting would count, which moves so far that its stiffness
+/// is soon another one.
 Sensitivities find_sensitivities(runs::PreparedScene& scene, const Solution& solution,
                                  const SensitivityRequest& request);
 
@@ -78,8 +89,10 @@ std::vector<std::size_t> chosen_figures(const results::Result& result, const std
 /// Change of figure `f` when the number increases by one percent of its size.
 double effect_of_percent(const NumberEffect& effect, std::size_t f);
 
-/// Change of figure `f` when the number increases by its standard deviation or, if that is not known, by one
-/// percent.
+/// The standard deviation of a number or, if that is not known, one percent of its size.
+double typical_change(const SceneNumber& number);
+
+/// Change of figure `f` when the number increases by its typical change.
 double typical_effect(const NumberEffect& effect, std::size_t f);
 
 /// The standard deviation of figure `f` due to those of the numbers, if these are independent, to first

@@ -87,6 +87,67 @@ std::string table_of(const Sensitivities& found, std::size_t f) {
   return text;
 }
 
+std::size_t sum_of(const std::map<std::string, std::size_t>& by_part) {
+  std::size_t sum = 0;
+  for (const auto& [part, count] : by_part) sum += count;
+  return sum;
+}
+
+/// How many of `all` switch, and in which parts most of them are: "nodes: 8, 1.2 % (headrope 5, footrope 3)".
+std::string text_of(const std::map<std::string, std::size_t>& by_part, std::size_t all,
+                    const std::string& what) {
+  std::vector<std::pair<std::string, std::size_t>> parts(by_part.begin(), by_part.end());
+  std::ranges::stable_sort(parts, std::ranges::greater{}, [](const auto& part) { return part.second; });
+  const std::size_t sum = sum_of(by_part);
+  std::string text =
+      fmt::format("{}: {}, {:.2g} % (", what, sum, 100 * static_cast<double>(sum) / static_cast<double>(all));
+  for (std::size_t i = 0; i < std::min(kPaths, parts.size()); ++i)
+    text += fmt::format("{}{} {}", i ? ", " : "", parts[i].first, parts[i].second);
+  return text + (parts.size() > kPaths ? ", …)" : ")");
+}
+
+std::string sides_text(const SwitchSides& sides) {
+  std::string text;
+  if (sides.members) text += fmt::format("{} of {} bars and twines are slack", sides.slack, sides.members);
+  if (sides.nodes)
+    text += fmt::format("{}{} of {} nodes touch the ground", text.empty() ? "" : ", ", sides.touching,
+                        sides.nodes);
+  return text;
+}
+
+std::string row_of_switches(const NumberEffect& effect, const SwitchSides& sides) {
+  std::string text;
+  if (const auto& members = effect.switches.members; !members.empty())
+    text = text_of(members, sides.members, "bars and twines");
+  if (const auto& nodes = effect.switches.nodes; !nodes.empty())
+    text += (text.empty() ? "" : "; ") + text_of(nodes, sides.nodes, "nodes");
+  return fmt::format("  {:<44} {:>18}   {}\n", effect.number.path, value_of(effect.number), text);
+}
+
+/// Lists what is slack and what touches the ground, in all derivatives, and the numbers that switch most of
+/// it.
+std::string reach_text(const Sensitivities& found) {
+  const std::string sides = sides_text(found.sides);
+  if (sides.empty()) return "";
+  std::vector<const NumberEffect*> effects;
+  for (const NumberEffect& effect : found.effects)
+    if (effect.switches.any()) effects.push_back(&effect);
+  const auto size = [](const NumberEffect* e) {
+    return sum_of(e->switches.members) + sum_of(e->switches.nodes);
+  };
+  std::ranges::stable_sort(effects, std::ranges::greater{}, size);
+  const std::string change = has_deviations(found) ? "a deviation" : "1 %";
+  std::string text = "\nAll derivatives hold while this stays so: " + sides + "\n";
+  if (effects.empty())
+    return text + "  no number changes it by " + change + " more or less, to first order\n";
+  text += "  changed by " + change + " more or less of a number, to first order:\n";
+  for (std::size_t i = 0; i < std::min(kRows, effects.size()); ++i)
+    text += row_of_switches(*effects[i], found.sides);
+  if (effects.size() > kRows)
+    text += fmt::format("  and by {} other numbers, less\n", effects.size() - kRows);
+  return text;
+}
+
 std::string left_out_text(const Sensitivities& found) {
   std::map<std::string, std::vector<std::string>> paths;
   for (const NumberEffect& effect : found.effects)
@@ -108,7 +169,7 @@ Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json();
 std::string sensitivity_text(const Sensitivities& found, const std::vector<std::size_t>& figures) {
   std::string text;
   for (const std::size_t f : figures) text += table_of(found, f);
-  return text + left_out_text(found);
+  return text + reach_text(found) + left_out_text(found);
 }
 
 formats::BarChart sensitivity_bars(const Sensitivities& found, const std::vector<std::size_t>& figures) {
@@ -126,6 +187,24 @@ formats::BarChart sensitivity_bars(const Sensitivities& found, const std::vector
   return chart;
 }
 
+namespace {
+
+Json json_of(const SwitchSides& sides) {
+  return {{"members", sides.members},
+          {"slack", sides.slack},
+          {"ground_nodes", sides.nodes},
+          {"touching", sides.touching}};
+}
+
+/// Adds what limits a derivative: what its typical change switches, by parts, and the fold that is near.
+void add_reach(const NumberEffect& effect, Json& row) {
+  if (std::isfinite(effect.fold_at)) row["fold_at"] = effect.fold_at;
+  if (!effect.switches.members.empty()) row["switching_members"] = effect.switches.members;
+  if (!effect.switches.nodes.empty()) row["switching_nodes"] = effect.switches.nodes;
+}
+
+}  // namespace
+
 std::string sensitivity_json(const Sensitivities& found, const std::vector<std::size_t>& figures,
                              const std::string& status) {
   Json of = Json::array(), to = Json::array();
@@ -137,6 +216,7 @@ std::string sensitivity_json(const Sensitivities& found, const std::vector<std::
   for (const NumberEffect& effect : found.effects) {
     Json row{{"path", effect.number.path}, {"value", effect.number.value}, {"unit", effect.number.unit}};
     if (effect.number.deviation > 0) row["deviation"] = effect.number.deviation;
+    add_reach(effect, row);
     if (!effect.why_not.empty()) {
       row["why_not"] = effect.why_not;
     } else {
@@ -150,8 +230,11 @@ std::string sensitivity_json(const Sensitivities& found, const std::vector<std::
     }
     to.push_back(std::move(row));
   }
-  return Json{{"status", status}, {"figures", std::move(of)}, {"numbers", std::move(to)}}.dump(
-      2, ' ', false, Json::error_handler_t::replace);
+  return Json{{"status", status},
+              {"frozen", json_of(found.sides)},
+              {"figures", std::move(of)},
+              {"numbers", std::move(to)}}
+      .dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace netloft::studies

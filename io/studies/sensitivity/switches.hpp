@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/assembler.hpp"
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace netloft::studies {
+
+/// Distances from the points at which the stiffness of a scene jumps, at one shape. They are signed: a
+/// derivative holds until one of them changes its sign.
+struct Switches {
+  struct OfKind {
+    std::vector<double> distance;
+    std::vector<std::uint32_t> part;  // the scene part of each
+  };
+  OfKind members;  // l/l₀ − 1 of bars and twines: taut above 0, slack below
+  OfKind nodes;    // height of nodes over the ground [m]: they touch it below 0
+};
+
+/// The switches of a scene at positions x over all dofs. Members are those that elements declare
+/// (ext/members.h), without those that resist as much when slack as when taut. Nodes are those with an output
+/// output::kGap. Not among them: the change between sticking and sliding on a bed at rest.
+Switches switches_at(const Scene& scene, Assembler& assembler, std::span<const double> x);
+
+/// The side on which the switches of a scene are.
+struct SwitchSides {
+  std::size_t members = 0, slack = 0;   // all members, and those that are slack
+  std::size_t nodes = 0, touching = 0;  // all nodes that may touch the ground, and those that touch it
+};
+SwitchSides sides_of(const Switches& at);
+
+/// The number of switches that change sides, by parts of the scene.
+struct SwitchChanges {
+  std::map<std::string, std::size_t> members, nodes;
+  bool any() const { return !members.empty() || !nodes.empty(); }
+};
+
+/// The switches that change sides, to first order, when a number changes by ± `change`. `above` and `below`
+/// are those of the equilibria at two values of the number that are `distance` apart. A distance d changes
+/// its sign on one of both ways if
+///   |dd/dp| change ≥ |d|,   dd/dp ≠ 0                                                    (1)
+/// No changes if the scenes have different switches.
+SwitchChanges switch_changes(const Scene& scene, const Switches& at, const Switches& above,
+                             const Switches& below, double distance, double change);
+
+}  // namespace netloft::studies
