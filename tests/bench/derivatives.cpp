@@ -21,6 +21,7 @@ namespace {
 
 constexpr double kStep = 1e-4;  // step of the central differences, over the number
 constexpr double kSame = 1e-4;  // pairs agree within this fraction of the largest effect on the figure
+constexpr std::size_t kFrozenPairs = 25;  // pairs of each scene among which nothing switches
 
 /// The scenes, and whether each has a net plan, whose number of nodes can be chosen.
 constexpr std::pair<const char*, bool> kScenes[] = {
@@ -135,6 +136,139 @@ Pairs compare(const char* name, bool has_plan, std::size_t count, unsigned seed)
   return pairs;
 }
 
+// ---------------------------------------------------------------- nothing switches
+
+/// Steps of the differences between equilibria among which nothing switches, over the number.
+constexpr double kFrozenSteps[] = {1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6};
+
+/// Errors of derivatives against equilibria, as fractions of the largest effect on the figure.
+struct Errors {
+  struct One {
+    double error = 0, known_to = 0;  // known_to: the error of the equilibria
+    std::string pair = {};           // figure and number
+  };
+  std::vector<One> all;
+  int lost = 0;  // pairs for which something switches at all steps, or an equilibrium is missing
+  void add(double error, double known_to, const std::string& pair) { all.push_back({error, known_to, pair}); }
+  const One& at(double fraction) {
+    static const One none;
+    if (all.empty()) return none;
+    std::ranges::sort(all, {}, &One::error);
+    return all[static_cast<std::size_t>(fraction * static_cast<double>(all.size() - 1))];
+  }
+};
+
+std::vector<bool> sides(const Switches& at) {
+  std::vector<bool> below;
+  for (const auto* kind : {&at.members, &at.nodes})
+    for (const double distance : kind->distance) below.push_back(distance < 0);
+  return below;
+}
+
+/// The value of figure `f` at the equilibrium next to that of `at`; NaN without one, or if anything is taut
+/// or touches the ground in one of them alone.
+double figure_nearby(AtRest& at, const SceneNumber& number, double value, std::size_t f) {
+  runs::CaseSource source = at.scene.source();
+  formats::append(source.changes, number.to(value));
+  runs::PreparedScene beside(std::move(source), plugins());
+  if (beside.prepare_like(at.scene) != runs::PreparedScene::State::ready) return NAN;
+  constexpr int kIterations = 30;  // Newton's iteration needs 3 to 6
+  const Solution s =
+      runs::continue_equilibrium(beside, beside.assembler().displacements_to(at.solution.x), kIterations);
+  const auto sides_of = [](runs::PreparedScene& scene, const std::vector<double>& x) {
+    return sides(switches_at(scene.loaded().scene, scene.assembler(), x));
+  };
+  if (s.status != SolveStatus::converged || sides_of(beside, s.x) != sides_of(at.scene, at.solution.x))
+    return NAN;
+  return all_figures(results::make_result(beside.loaded(), beside.assembler(), s))[f].value;
+}
+
+/// The derivative of figure `f` by four equilibria, to the fourth order of the step; NaN without them.
+double by_frozen_equilibria(AtRest& at, const SceneNumber& number, std::size_t f, double h) {
+  const auto change = [&](int k) {
+    return figure_nearby(at, number, number.value + k * h, f) -
+           figure_nearby(at, number, number.value - k * h, f);
+  };
+  return (8 * change(1) - change(2)) / (12 * h);
+}
+
+/// The same by the two steps in succession whose results differ least: longer ones have the larger error of
+/// truncation, shorter ones that of rounding. Their difference is the error.
+struct Known {
+  double slope = NAN, error = INFINITY;
+};
+Known by_frozen_equilibria(AtRest& at, const SceneNumber& number, std::size_t f) {
+  Known best;
+  double last = NAN;
+  for (const double step : kFrozenSteps) {
+    const double slope = by_frozen_equilibria(at, number, f, step * std::abs(number.value));
+    if (std::abs(slope - last) < best.error) best = {slope, std::abs(slope - last)};
+    last = slope;
+  }
+  return best;
+}
+
+/// Compares pairs of a number and a key figure of a scene that are drawn at random.
+Errors compare_frozen(const char* name, bool has_plan, std::size_t pairs, unsigned seed) {
+  Errors errors;
+  std::vector<std::string> set{"analysis.tolerance=1e-13"};
+  if (has_plan) set.push_back("gear.nodes=300");
+  AtRest at(name, set);
+  if (!at.is_there()) return errors;
+  const auto figures = chosen_figures(at.result, {});
+  const Sensitivities found = find_sensitivities(
+      at.scene, at.solution,
+      {.figures = all_figures(at.result), .numbers = chosen_numbers(at.scene, {}), .with_reach = false});
+  std::vector<std::pair<std::size_t, std::size_t>> drawn;
+  for (const std::size_t f : figures)
+    for (const std::size_t n : effective(found, figures))
+      if (largest_effect(found, f) > 0) drawn.emplace_back(f, n);
+  std::ranges::shuffle(drawn, std::mt19937(seed));
+  drawn.resize(std::min(pairs, drawn.size()));
+  for (const auto& [f, n] : drawn) {
+    const NumberEffect& effect = found.effects[n];
+    const Known known = by_frozen_equilibria(at, effect.number, f);
+    const auto scaled = [&, number = effect.number.value](double error) {
+      return 0.01 * std::abs(number * error) / largest_effect(found, f);
+    };
+    if (std::isnan(known.slope)) {
+      ++errors.lost;
+      continue;
+    }
+    errors.add(scaled(known.slope - effect.per_unit[f]), scaled(known.error),
+               found.figures[f].name + " to " + effect.number.path);
+  }
+  return errors;
+}
+
+void print(const std::string& scene, Errors& errors) {
+  const Errors::One &median = errors.at(0.5), &most = errors.at(0.9), &largest = errors.at(1);
+  std::printf("| %s | %zu | %.0e | %.0e | %.0e ± %.0e %s | %d |\n", scene.c_str(), errors.all.size(),
+              median.error, most.error, largest.error, largest.known_to, largest.pair.c_str(), errors.lost);
+  std::fflush(stdout);
+}
+
+void print_frozen(std::size_t pairs, unsigned seed) {
+  std::printf(
+      "\n## While nothing switches\n\n"
+      "Here, a pair is any number and any key figure that depends on it. Equilibria on the same mesh "
+      "topology, found by Newton's iteration to 1e-13 from that of\nthe scene, give the derivative to the "
+      "fourth order of the step, for steps of 1e-3 ... 3e-6 of the number over which no member becomes taut "
+      "or slack and no node\ntouches or leaves the ground. Of two steps in succession, those whose results "
+      "differ least count; ± is their difference. Errors are fractions of the largest\nchange of the figure "
+      "by one percent of any number.\n\n"
+      "| scene | pairs | median error | nine tenths are below | largest | pairs without such equilibria "
+      "|\n|---|---|---|---|---|---|\n");
+  Errors all;
+  for (const auto& [name, has_plan] : kScenes) {
+    Errors one = compare_frozen(name, has_plan, pairs, seed);
+    print(name, one);
+    all.all.insert(all.all.end(), one.all.begin(), one.all.end());
+    all.lost += one.lost;
+  }
+  print("all", all);
+}
+
 /// The processor time of the derivatives of all figures with respect to the first `count` numbers of the
 /// 83-112 at sea with 2000 nodes, over that of reading and solving it; the median of five pairs.
 double cost(std::size_t count) {
@@ -145,7 +279,8 @@ double cost(std::size_t count) {
     const double solved = cpu_seconds();
     auto numbers = chosen_numbers(at.scene, {});
     numbers.resize(count);
-    find_sensitivities(at.scene, at.solution, {.figures = all_figures(at.result), .numbers = numbers});
+    find_sensitivities(at.scene, at.solution,
+                       {.figures = all_figures(at.result), .numbers = numbers, .with_reach = true});
     ratios.push_back((cpu_seconds() - solved) / (solved - begin));
   }
   std::ranges::sort(ratios);
@@ -175,6 +310,7 @@ void print_page(std::size_t count, unsigned seed) {
       all.worst = one.worst, all.worst_one = std::string(name) + ": " + one.worst_one;
   }
   print("all", all);
+  print_frozen(kFrozenPairs, seed);
   constexpr std::size_t kNumbers = 30;
   std::printf(
       "\nDerivatives of all figures of the 83-112 at sea with 2000 nodes with respect to its first %zu "
