@@ -180,7 +180,9 @@ void add_sensitivity_command(CLI::App& app, Chosen& chosen) {
   as_words(command.add_option(
                "--of", o.of, "a figure, or a group such as mouth; may be repeated; default: the key figures"),
            "NAME");
-  as_word(command.add_option("-o,--output", o.output, "draw the largest changes as bars"), "FILE.svg");
+  as_word(
+      command.add_option("-o,--output", o.output, "draw the largest changes as bars, or write all of them"),
+      "FILE.svg|FILE.hdf");
   command.add_flag("--check", o.check,
                    "find all changes also with a thousand times longer step, and mark those that differ: a "
                    "member is about to become slack, or a node to touch the ground");

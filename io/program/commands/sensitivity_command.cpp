@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/files/whole_file.hpp"
 #include "io/program/commands/study_shared.hpp"
 #include "io/program/session/memory_room.hpp"
 #include "io/program/session/print.hpp"
@@ -47,7 +48,7 @@ Solution solve(runs::PreparedScene& scene, Terminal& terminal, Watchdog& watchdo
   return solution;
 }
 
-/// Prints the effects and draws them.
+/// Prints the effects, and draws or writes them.
 int end_with(const SensitivityOptions& o, Terminal& terminal, const results::Result& result,
              const studies::Sensitivities& found, std::size_t numbers) {
   const auto figures = studies::chosen_figures(result, o.of);
@@ -61,13 +62,15 @@ int end_with(const SensitivityOptions& o, Terminal& terminal, const results::Res
                            fmt::format("{} of {} numbers were examined{}", found.effects.size(), numbers,
                                        o.output.empty() ? "" : ", and " + o.output + " is not written"));
   return write_last(terminal, kDone, [&] {
-    if (!o.output.empty()) write_bars(o.output, studies::sensitivity_bars(found, figures), "--of");
+    if (o.output.ends_with(".svg"))
+      write_bars(o.output, studies::sensitivity_bars(found, figures), "--of");
+    else if (!o.output.empty())
+      formats::write_keeping(o.output, studies::sensitivity_hdf(found, figures, status));
   });
 }
 
 int run_sensitivity(const SensitivityOptions& o) {
-  if (!o.output.empty() && !o.output.ends_with(".svg"))
-    throw UsageError{"-o " + o.output + ": the bars can be written as .svg only"};
+  require_ending("-o", o.output, {".svg", ".hdf"});
   require_memory_to_solve();
   Session session(o);
   if (const int code = session.open(); code != kDone) return code;

@@ -32,8 +32,8 @@ constexpr double kShortStep = 1e-6;
 /// The long step as a multiple of h.
 constexpr double kLongStep = 1000;
 /// If a fold is at the distance s, K corrects the step of 2s along the tangent by half of its length: with
-/// d²x = dx/2s, the correction is ½ (2s)² d²x = s dx. A correction of less than half of that is that of no
-/// fold.
+/// d²x = dx/2s, the correction is ½ (2s)² d²x = s dx. Further corrections grow, because no equilibrium is
+/// there. A correction of less than half of that is that of no fold.
 constexpr double kTurnOfFold = 0.25;
 
 std::vector<results::NamedScalar> joined(std::initializer_list<std::vector<results::NamedScalar>> lists) {
@@ -135,9 +135,15 @@ class Sensitivity {
     const auto apart = [&](const std::vector<double>& a, const std::vector<double>& b) {
       return largest_node_distance(scene_.loaded().scene, scene_.assembler().numbering(), a, b);
     };
-    const auto corrected = tangent_.corrected(*beyond, y);
-    if (corrected && apart(*corrected, y) <= kTurnOfFold * apart(y, x_)) return true;
     const BranchOptions rules;
+    std::vector<double> z = y;
+    for (double last = apart(y, x_); last > 0;) {
+      const auto next = tangent_.corrected(*beyond, z);
+      const double step = next ? apart(*next, z) : INFINITY;
+      if (step <= kTurnOfFold * apart(y, x_)) return true;
+      if (!(step < last)) break;
+      z = *next, last = step;
+    }
     const Solution there = runs::continue_equilibrium(*beyond, beyond->assembler().displacements_to(y),
                                                       rules.iterations, {.interrupt = request_.interrupt});
     if (there.status == SolveStatus::interrupted) throw formats::Interrupted{};

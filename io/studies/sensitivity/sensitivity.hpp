@@ -116,4 +116,8 @@ formats::BarChart sensitivity_bars(const Sensitivities& found, const std::vector
 std::string sensitivity_json(const Sensitivities& found, const std::vector<std::size_t>& figures,
                              const std::string& status);
 
+/// The same as the bytes of an HDF5 file (io/formats/hdf5/LAYOUT.md).
+std::string sensitivity_hdf(const Sensitivities& found, const std::vector<std::size_t>& figures,
+                            const std::string& status);
+
 }  // namespace netloft::studies

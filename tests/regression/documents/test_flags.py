@@ -62,6 +62,7 @@ COMMANDS = (
      "--of mouth/headline_height", '"per_unit"'),
     (f"netloft sensitivity {ROPE} --to parts.rope.rope --check -o bars.svg; ls bars.svg", "bars.svg"),
     (f"netloft sensitivity {ROPE} --to parts.rope.rope --output more.svg; ls more.svg", "more.svg"),
+    (f"netloft sensitivity {ROPE} --to parts.rope.rope -o table.hdf; ls table.hdf", "table.hdf"),
     (f"hard_cases tests/stability --set analysis.newton.damping=0 --solver newton --size small --case flat-sketch --seed 2 --work 1000 "
      f"--seconds-per-case 5 --threads 1 -o matrix.html {COMMON}", '"newton"'),
     ("hard_cases tests/stability --strategy auto --without restarts --size small --case flat-sketch --update-references", "auto"),

@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "io/formats/hdf5/read.hpp"
 #include "io/results/figures/make_result.hpp"
 #include "io/runs/equilibrium.hpp"
 #include "tests/unit/io/formats/toml/scratch.hpp"
@@ -186,6 +187,20 @@ TEST_F(ReachOfDerivatives, IsThatOfTheSideOnWhichEverythingIs) {
   EXPECT_NE(text.find("0 of 4 bars and twines are slack, 1 of 5 nodes touch the ground"), std::string::npos)
       << text;
   EXPECT_NE(text.find("nodes: 1, 20 % (rope 1)"), std::string::npos) << text;
+}
+
+TEST_F(ReachOfDerivatives, IsInATable) {
+  const Found found = find(kOverBed, {}, "parts.rope.length=2.01 m");
+  const auto path = write("table.hdf", sensitivity_hdf(found, {0}, "converged"));
+  const auto table = formats::Reader::of_own(path);
+  const std::string at = "/netloft/sensitivities/";
+  EXPECT_EQ(table.strings(at + "figures/name"), std::vector<std::string>{"tension"});
+  EXPECT_EQ(table.strings(at + "numbers/path"), std::vector<std::string>{"parts.rope.length"});
+  EXPECT_EQ(table.reals(at + "derivatives"), std::vector<double>{found.effects.at(0).per_unit.at(0)});
+  EXPECT_EQ(table.shape(at + "derivatives"), (std::vector<std::size_t>{1, 1}));
+  EXPECT_EQ(table.reals(at + "numbers/deviation"), std::vector<double>{2.01});
+  EXPECT_EQ(table.integers(at + "numbers/switching_nodes"), std::vector<std::int64_t>{1});
+  EXPECT_EQ(table.integer(at + "frozen/ground_nodes"), 3);
 }
 
 }  // namespace
