@@ -48,7 +48,7 @@ Answer::Answer(const OpenedScene& source, const SolveRequest& request, const std
     : started_(results::utc_now()), command_(source.command()) {
   if (request.with_mesh_errors) command_.push_back("--error");
   const InterruptibleReading reading(interrupt);
-  scene_ = source.prepare();
+  scene_ = source.prepare(request.like.get());
   require_equilibrium_of(scene_->loaded());
   if (const auto why_not = runs::why_unfit(*scene_)) throw std::invalid_argument(*why_not);
   solution_ =

@@ -14,7 +14,9 @@ namespace netloft::python {
 /// How a scene is solved.
 struct SolveRequest {
   std::vector<double> start = {};  // positions of the nodes to start from, 3 per node [m]; empty: the sketch
-  bool with_mesh_errors = false;   // solve on two further meshes for the errors of the mesh
+  std::shared_ptr<const runs::PreparedScene> like =
+      {};                         // scene whose mesh topology is taken over; nullptr: none
+  bool with_mesh_errors = false;  // solve on two further meshes for the errors of the mesh
   std::function<void(const IterationRecord&)> on_iteration = {};
 };
 
@@ -45,6 +47,7 @@ class Answer {
   /// std::invalid_argument if the start does not fit.
   Answer(const OpenedScene& source, const SolveRequest& request, const std::atomic<bool>& interrupt);
 
+  const std::shared_ptr<runs::PreparedScene>& scene() const { return scene_; }
   const results::Result& result() const { return result_; }
   const Solution& solution() const { return solution_; }
   /// Positions of the nodes, 3 per node [m].

@@ -65,10 +65,10 @@ formats::Diagnostics OpenedScene::check() const {
   return scene.diagnostics();
 }
 
-std::shared_ptr<runs::PreparedScene> OpenedScene::prepare() const {
+std::shared_ptr<runs::PreparedScene> OpenedScene::prepare(const runs::PreparedScene* like) const {
   const std::lock_guard lock(reading());
   auto scene = std::make_shared<runs::PreparedScene>(source_, registry());
-  const auto state = scene->prepare();
+  const auto state = like ? scene->prepare_like(*like) : scene->prepare();
   if (state != runs::PreparedScene::State::ready)
     throw WrongScene(scene->diagnostics(), state == runs::PreparedScene::State::refused);
   return scene;

@@ -44,8 +44,9 @@ class OpenedScene {
   formats::Value tables() const;
   /// All messages about the scene: those that make it wrong, and warnings.
   formats::Diagnostics check() const;
-  /// The scene, ready to be solved. Throws WrongScene.
-  std::shared_ptr<runs::PreparedScene> prepare() const;
+  /// The scene, ready to be solved, on its own mesh, or on one with the topology of `like`. Throws
+  /// WrongScene.
+  std::shared_ptr<runs::PreparedScene> prepare(const runs::PreparedScene* like = nullptr) const;
 
  private:
   void add(const formats::Change& change);

@@ -80,14 +80,15 @@ class Watched {
   std::exception_ptr raised_;
 };
 
-/// Solves a scene. `progress` is called after each iteration with its number, the largest residual and the
-/// largest load [N]. Returns the answer, and the exception that ended the search.
-py::tuple solve(const OpenedScene& scene, const std::vector<double>& start, bool with_mesh_errors,
-                const py::object& progress) {
+/// Solves a scene on its own mesh, or on that of the answer `mesh_of`. `progress` is called after each
+/// iteration with its number, the largest residual and the largest load [N]. Returns the answer, and the
+/// exception that ended the search.
+py::tuple solve(const OpenedScene& scene, const std::vector<double>& start, const AnswerPointer& mesh_of,
+                bool with_mesh_errors, const py::object& progress) {
   Watched watched(progress);
-  const SolveRequest request{start, with_mesh_errors, [&](const IterationRecord& r) {
-                               watched.report(r.iteration, r.residual, r.scale);
-                             }};
+  const SolveRequest request{
+      start, mesh_of ? mesh_of->scene() : nullptr, with_mesh_errors,
+      [&](const IterationRecord& r) { watched.report(r.iteration, r.residual, r.scale); }};
   AnswerPointer answer;
   const py::object ended_by = watched.run([&](const std::atomic<bool>& interrupt) {
     answer = std::make_shared<Answer>(scene, request, interrupt);
@@ -121,7 +122,8 @@ void bind_scenes(py::module_& module) {
       .def("check", [](const OpenedScene& s) { return message_list(s.check()); })
       .def("numbers", &numbers_of_scene)
       .def("parts", &part_names)
-      .def("solve", &solve, py::arg("start"), py::arg("with_mesh_errors"), py::arg("progress"))
+      .def("solve", &solve, py::arg("start"), py::arg("mesh_of"), py::arg("with_mesh_errors"),
+           py::arg("progress"))
       .def("simulate", &simulate_scene, py::arg("output"), py::arg("progress"));
 }
 

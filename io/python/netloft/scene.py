@@ -148,10 +148,12 @@ class Scene:
                 opened = opened.by(key, getattr(value, "netloft_name", value))
         return Scene._of(opened)
 
-    def solve(self, start=None, error=False, solver=None, strategy=None, progress=None, raises=True):
+    def solve(self, start=None, mesh_of=None, error=False, solver=None, strategy=None, progress=None, raises=True):
         """The equilibrium.
 
         start: an Equilibrium, or positions of all nodes [m], to search near.
+        mesh_of: an Equilibrium of the same gear with other numbers, whose mesh is taken over: its triangles stay, and
+            its nodes move with the numbers of the net plan. Figures are smooth functions of these numbers then.
         error: solve on two further meshes, for the error of the mesh in every figure.
         solver, strategy: as for by().
         progress: called after each iteration with its number, the largest residual and the largest load [N].
@@ -159,10 +161,12 @@ class Scene:
             otherwise return that.
         Raises WrongInput, Refused, NotConverged, and Interrupted after Ctrl-C.
         """
+        if mesh_of is not None and not isinstance(mesh_of, Equilibrium):
+            raise TypeError(f"mesh_of is an Equilibrium of the same gear, not {mesh_of!r}")
         scene = self.by(solver, strategy) if solver or strategy else self
         points = getattr(start, "points", start)
         points = [] if points is None else [float(c) for row in points for c in row]
-        answer, ended_by = scene._opened.solve(points, bool(error), progress)
+        answer, ended_by = scene._opened.solve(points, mesh_of and mesh_of._answer, bool(error), progress)
         result = None if answer is None else Equilibrium(scene, answer)
         if isinstance(ended_by, KeyboardInterrupt):
             raise Interrupted(result) from ended_by

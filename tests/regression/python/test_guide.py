@@ -2,10 +2,12 @@
 """Every block of PYTHON.md runs, in its order, in an empty folder."""
 import os
 import re
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).parent / "stubs"))  # of libraries that are not installed
 PAGE = Path(os.environ["NETLOFT_SOURCE_DIR"]) / "io/python/PYTHON.md"
 
 
