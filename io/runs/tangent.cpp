@@ -129,13 +129,17 @@ std::optional<std::vector<double>> Tangent::between(PreparedScene& before, Prepa
   const std::optional<Step> step = first_step(before, after);
   if (!step) return std::nullopt;
   std::vector<double> du = step->du, more;
+  double last = dot(du, du);
   for (int k = 0; k < kMostSteps; ++k) {
     const std::vector<double> dx = step->motion(du);
     const auto a = residual_at(before, moved({x_, {}}, dx, theta - 1)),
                b = residual_at(after, moved({x_, {}}, dx, theta));
     if (!a || !b || !solve(difference(*b, *a), more)) return std::nullopt;  // (2)
+    const double square = dot(more, more);
+    if (!(square < last)) break;  // members become slack and taut in turn
+    last = square;
     for (std::size_t i = 0; i < du.size(); ++i) du[i] += more[i];
-    if (dot(more, more) <= kNoMore * kNoMore * dot(du, du)) break;
+    if (square <= kNoMore * kNoMore * dot(du, du)) break;
   }
   return step->motion(du);
 }
