@@ -92,9 +92,9 @@ int run_sensitivity(const SensitivityOptions& o) {
                                                                    {.figures = studies::all_figures(result),
                                                                     .numbers = numbers,
                                                                     .with_long_step = o.check,
-                                                                    .with_reach = true,
                                                                     .interrupt = &interrupt_flag(),
-                                                                    .on_number = show});
+                                                                    .on_number = show,
+                                                                    .with_reach = true});
   terminal.clear();
   return end_with(o, terminal, result, found, numbers.size());
 }

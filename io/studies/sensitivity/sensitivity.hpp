@@ -39,9 +39,9 @@ struct SensitivityRequest {
   std::vector<results::NamedScalar> figures;  // all_figures() of the equilibrium
   std::vector<SceneNumber> numbers;
   bool with_long_step = false;  // find each derivative with a second, longer step
-  bool with_reach = false;      // find what ends the validity of each derivative: switches and folds
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(std::size_t done, const std::string& path)> on_number = {};
+  bool with_reach = false;  // find what ends the validity of each derivative: switches and folds
 };
 
 /// The derivatives of all figures g(x, p) at the equilibrium x of a scene, where the residual r(x, p) is
