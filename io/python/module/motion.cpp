@@ -16,7 +16,7 @@ void require_motion(const scenes::LoadedScene& loaded) {
   if (loaded.analysis.kind != AnalysisKind::dynamics)
     throw std::invalid_argument(
         "simulate() computes motions, and this scene is an equilibrium; use solve(), or "
-        "with_({\"analysis.kind\": \"dynamic\", \"analysis.end\": \"10 s\"})");
+        "with_({\"analysis.kind\": \"dynamic\", \"analysis.duration\": \"10 s\"})");
 }
 
 /// Displacements at the start of a motion that begins at a result; nullopt for other motions.

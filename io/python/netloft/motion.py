@@ -7,7 +7,7 @@ from pathlib import Path
 from . import _netloft
 from .errors import Interrupted, NotConverged
 from .names import Named, unknown
-from .result import Report
+from .result import Report, joined
 
 
 class Stored(Report):
@@ -48,16 +48,14 @@ class Stored(Report):
 
     def mesh(self, state=-1):
         """(points, cells, data), as Equilibrium.mesh()."""
-        import numpy
-
-        cells, data = {}, {}
         fields = {name: self.field(name, state) for name in self.fields}
+        parts = {name: index for index, name in enumerate(self.parts)}
+        blocks = {}
         for kind, (nodes, numbers, names) in self._answer.mesh().items():
             if len(nodes):
-                cells[kind] = nodes
-                data[kind] = {name: values[numbers] for name, values in fields.items()}
-                data[kind]["part"] = numpy.array(names)
-        return self.points(state), cells, data
+                data = {name: values[numbers] for name, values in fields.items()}
+                blocks[kind] = [(nodes, {"part": [parts[name] for name in names], **data})]
+        return self.points(state), *joined(blocks)
 
     def to_xarray(self):
         """An xarray.Dataset: series over time, and positions [time, node, axis], with units."""
@@ -110,13 +108,16 @@ def stored(equilibrium):
         return Stored(_netloft.Stored(path), path)
 
 
-def simulate(scene, output=None, progress=None):
+def simulate(scene, times=None, output=None, progress=None):
     """The motion of a scene with `analysis.kind = "dynamic"`.
 
+    times: the times of the outputs [s], from 0 on in equal steps; without them those of the scene.
     output: the result file; without it the motion is kept in memory only.
     progress: called after each step with the time reached and that of the end [s].
     Raises WrongInput, Refused, NotConverged (whose `result` has the motion so far), Interrupted.
     """
+    if times is not None:
+        scene = scene.with_(_outputs_at(times))
     with tempfile.TemporaryDirectory() as folder:
         path = Path(output) if output else Path(folder) / (scene.file.stem + ".hdf")
         file, warnings, ended_by = scene._opened.simulate(path, progress)
@@ -130,3 +131,11 @@ def simulate(scene, output=None, progress=None):
         if motion.status != "finished":
             raise NotConverged(motion)
         return motion
+
+
+def _outputs_at(times):
+    times = [float(t) for t in times]
+    step = times[-1] / (len(times) - 1) if len(times) > 1 else 0
+    if not step > 0 or any(abs(t - i * step) > 1e-9 * times[-1] for i, t in enumerate(times)):
+        raise ValueError("the times of outputs begin at 0 and grow in equal steps, as numpy.linspace(0, 10, 101) does")
+    return {"analysis.duration": times[-1], "analysis.output_interval": step}

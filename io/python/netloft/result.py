@@ -13,6 +13,18 @@ def _quantity(number):
     return name, Quantity(value, unit, doc, *errors)
 
 
+def joined(blocks):
+    """Cells and data of some parts, {kind: [(nodes, {name: values})]}, as meshio.Mesh takes them."""
+    import numpy
+
+    blocks = {kind: parts for kind, parts in blocks.items() if parts}
+    names = dict.fromkeys(name for parts in blocks.values() for _, data in parts for name in data)
+    cells = [(kind, numpy.concatenate([nodes for nodes, _ in parts])) for kind, parts in blocks.items()]
+    data = {name: [numpy.concatenate([numpy.broadcast_to(values.get(name, numpy.nan), len(nodes)) for nodes, values in parts])
+                   for parts in blocks.values()] for name in names}
+    return cells, data
+
+
 class PartResult:
     """The elements of one part in a result, as arrays that cannot be written to.
 
@@ -113,27 +125,16 @@ class Equilibrium(Report):
         return PartResult(part, blocks)
 
     def mesh(self):
-        """(points, cells, data): `cells` has the nodes of all "triangle" and "line" cells, `data` for each
-        kind "part", the name of the part of each cell, and every output that all of its cells have."""
-        import numpy
-
-        kinds = {3: "triangle", 2: "line"}
-        cells, names, outputs = {}, {}, {}
-        for part in self.parts:
+        """(points, cells, data) as meshio.Mesh takes them: `cells` is a list of ("triangle" or "line", nodes
+        [cell, corner]), `data` has every output of the elements, one array for each block of cells, NaN where
+        a cell has none; "part" is an index of `parts`."""
+        blocks = {"triangle": [], "line": []}
+        for index, part in enumerate(self.parts):
             result = self[part]
-            kind = kinds.get(result.nodes.shape[1])
-            if kind is None or len(result.nodes) == 0:
-                continue
-            cells.setdefault(kind, []).append(result.nodes)
-            names.setdefault(kind, []).extend([part] * len(result.nodes))
-            outputs.setdefault(kind, []).append(result.outputs)
-        data = {}
-        for kind in cells:
-            common = set.intersection(*(set(o) for o in outputs[kind]))
-            data[kind] = {name: numpy.concatenate([o[name] for o in outputs[kind]]) for name in sorted(common)}
-            data[kind]["part"] = numpy.array(names[kind])
-            cells[kind] = numpy.concatenate(cells[kind])
-        return self.points, cells, data
+            kind = {3: "triangle", 2: "line"}.get(result.nodes.shape[1])
+            if kind and len(result.nodes):
+                blocks[kind].append((result.nodes, {"part": index, **result.outputs}))
+        return self.points, *joined(blocks)
 
     def to_xarray(self):
         """An xarray.Dataset with the positions of nodes and all figures, units in their attributes."""

@@ -176,11 +176,11 @@ class Scene:
             raise NotConverged(result)
         return result
 
-    def simulate(self, output=None, progress=None):
-        """The motion of a scene with `analysis.kind = "dynamic"`, as a Motion; see netloft.simulate()."""
+    def simulate(self, times=None, output=None, progress=None):
+        """The motion of a scene with `analysis.kind = "dynamic"`; see netloft.simulate()."""
         from .motion import simulate
 
-        return simulate(self, output=output, progress=progress)
+        return simulate(self, times, output, progress)
 
     def __eq__(self, other):
         return isinstance(other, Scene) and (self.file, self.changes) == (other.file, other.changes)

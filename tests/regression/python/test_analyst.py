@@ -81,8 +81,12 @@ class AResult(unittest.TestCase):
 
     def test_has_a_mesh_a_page_and_a_file(self):
         points, cells, data = RESULT.mesh()
-        self.assertEqual(len(data["triangle"]["tension"]), len(cells["triangle"]))
-        self.assertLess(cells["triangle"].max(), len(points))
+        self.assertEqual([kind for kind, _ in cells], ["triangle", "line"])
+        for values in data.values():
+            self.assertEqual([len(v) for v in values], [len(nodes) for _, nodes in cells])
+        self.assertLess(max(nodes.max() for _, nodes in cells), len(points))
+        wing = data["part"][0] == RESULT.parts.index("top-wing")
+        numpy.testing.assert_array_equal(data["tension"][0][wing], RESULT["top-wing"].tension)
         self.assertIn("<svg", RESULT.draw())
         self.assertIn("<!DOCTYPE html>", RESULT.page()[:200])
         with tempfile.TemporaryDirectory() as folder:
@@ -128,6 +132,25 @@ class Derivatives(unittest.TestCase):
         v, w = rng.normal(size=(2, len(RESULT.u)))
         K, adjoint = RESULT.tangent(), RESULT.solve_adjoint(w)
         self.assertLess(abs(adjoint @ (K @ v) - w @ v), 1e-9 * numpy.linalg.norm(w) * numpy.linalg.norm(v))
+
+
+class AMotion(unittest.TestCase):
+    def test_falls_freely_at_first(self):
+        rope = netloft.load("dynamics/released-rope.toml")
+        seen = []
+        motion = netloft.simulate(rope, times=numpy.linspace(0, 0.1, 11), progress=lambda t, end: seen.append((t, end)))
+        numpy.testing.assert_allclose(motion.times, numpy.linspace(0, 0.1, 11), atol=1e-12)
+        self.assertAlmostEqual(seen[-1][0], 0.1)
+        data = motion.to_xarray()
+        self.assertEqual(data["points"].dims, ("time", "node", "axis"))
+        self.assertEqual(data["time"].attrs["units"], "s")
+        self.assertTrue((data["points"].sel(axis="z").min("node").diff("time") <= 1e-12).all())
+        _, cells, fields = motion.mesh(0)
+        self.assertEqual(len(fields["tension"][0]), len(cells[0][1]))
+
+    def test_wants_times_in_equal_steps(self):
+        with self.assertRaisesRegex(ValueError, "equal steps"):
+            netloft.load("dynamics/released-rope.toml").simulate(times=[0, 1, 3])
 
 
 class AStudy(unittest.TestCase):
