@@ -176,7 +176,7 @@ def make_kinds(source, program, folder):
              ["export", "NAME", "o.csv"], ["export", "NAME", "o.glb"], ["diff", "good.hdf", "NAME"],
              ["run", "scene.toml", "--start-from", "NAME", "-o", "o.hdf"])
     on_study = [["study", action, "s.study", *more] for action, more in (
-        ("missing", ()), ("collect", ()), ("show", ()), ("estimate", ("--at", "density=330")), ("sobol", ()),
+        ("missing", ()), ("collect", ()), ("show", ()),
         ("submit", ("--engine", "slurm")), ("run", ("--jobs", "1")))]
     return [
         Kind("scene", scene_goods(source), TEXT, (["plan", "NAME"], ["plan", "NAME", "--json"],

@@ -187,7 +187,7 @@ def sealed_record(content):
 
 def actions_on(folder):
     return (["run", folder], ["missing", folder], ["submit", folder, "--engine", "parallel"], ["submit", folder, "--engine", "slurm"],
-            ["collect", folder], ["show", folder], ["estimate", folder, "--at", "water=1005"], ["sobol", folder])
+            ["collect", folder], ["show", folder])
 
 
 # Names that a study or its variable must not have: of files elsewhere, of commands, of what a terminal obeys.

@@ -14,9 +14,6 @@ namespace {
 // groups of options
 constexpr const char *kForSlurm = "For Slurm", *kForParallel = "For GNU parallel";
 
-constexpr const char* kFigureDoc =
-    "a figure of the table; may be repeated; default: all but those of single parts";
-
 template <class Options>
 void add_folder(CLI::App& action, Options& o) {
   action.add_option("FOLDER", o.folder, "folder that `netloft study plan` wrote")
@@ -112,31 +109,6 @@ void add_show_action(CLI::App& study, Chosen& chosen) {
         "FILE.html|FILE.svg");
 }
 
-void add_estimate_action(CLI::App& study, Chosen& chosen) {
-  auto [estimate, o] = add_action(study, chosen, "estimate",
-                                  "print figures between the points that were computed, with their errors",
-                                  study_estimate_command);
-  as_words(
-      estimate.add_option("--at", o.at,
-                          "values of the variables; give all sampled variables, or none of them for medians "
-                          "and bands over the samples; repeat the option, or separate by commas"),
-      "NAME=VALUE")
-      ->required();
-  as_words(estimate.add_option("--figure", o.figures, kFigureDoc), "NAME");
-}
-
-void add_sobol_action(CLI::App& study, Chosen& chosen) {
-  auto [action, o] = add_action(
-      study, chosen, "sobol", "print which variables the figures depend on: Sobol indices, with their errors",
-      study_sobol_command);
-  as_words(action.add_option("--figure", o.figures, kFigureDoc), "NAME");
-  as_words(action.add_option(
-               "--at", o.at,
-               "a variable that is held fixed; repeat the option, or separate by commas; default: all vary"),
-           "NAME=VALUE");
-  as_words(action.add_option("-o,--output", o.output, "picture of the indices as bars"), "FILE.svg");
-}
-
 void add_study_command(CLI::App& app, Chosen& chosen) {
   auto& study = *app.add_subcommand("study", "solve one scene many times, with other values");
   study.require_subcommand(1);
@@ -146,8 +118,6 @@ void add_study_command(CLI::App& app, Chosen& chosen) {
   add_submit_action(study, chosen);
   add_collect_action(study, chosen);
   add_show_action(study, chosen);
-  add_estimate_action(study, chosen);
-  add_sobol_action(study, chosen);
 }
 
 void add_scope_command(CLI::App& app, Chosen& chosen) {

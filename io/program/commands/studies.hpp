@@ -61,14 +61,6 @@ struct StudyShowOptions : StudyOptions {
   std::string output;                    // option -o
 };
 
-struct StudyEstimateOptions : StudyOptions {
-  std::vector<std::string> figures, at;  // options --figure, --at NAME=VALUE
-};
-
-struct StudySobolOptions : StudyEstimateOptions {
-  std::string output;  // option -o
-};
-
 int scope_command(const ScopeOptions& options);          // lengths of warp for each depth
 int calibrate_command(const CalibrateOptions& options);  // calibrates parameters of scenes with measurements
 int sensitivity_command(const SensitivityOptions& options);  // derivatives of figures with respect to numbers
@@ -81,7 +73,5 @@ int study_missing_command(const StudyOptions& options);
 int study_submit_command(const StudySubmitOptions& options);
 int study_collect_command(const StudyCollectOptions& options);
 int study_show_command(const StudyShowOptions& options);
-int study_estimate_command(const StudyEstimateOptions& options);
-int study_sobol_command(const StudySobolOptions& options);
 
 }  // namespace netloft::program

@@ -3,8 +3,6 @@
 #include "io/program/commands/study_shared.hpp"
 #include "io/program/session/print.hpp"
 #include "io/program/session/session.hpp"
-#include "io/studies/sweep/estimate.hpp"
-#include "io/studies/sweep/figure_indices.hpp"
 #include "io/studies/sweep/study_plots.hpp"
 #include "io/studies/sweep/study_table.hpp"
 
@@ -52,44 +50,6 @@ int study_show_command(const StudyShowOptions& o) {
                                                 : formats::draw_html("Study " + study.name, plots));
   print_answer(o, {{"output", page.string()}, {"plots", plots.size()}},
                fmt::format("{} written to {}", count_of(plots.size(), "plot"), page.string()));
-  return kDone;
-}
-
-int study_estimate_command(const StudyEstimateOptions& o) {
-  Terminal terminal(o);
-  const studies::Study study = read_study(o.folder);
-  formats::Diagnostics diagnostics;
-  std::optional<studies::StudyEstimate> found;
-  try {
-    found = studies::estimate(studies::collect_table(study, o.folder), {o.at, o.figures}, diagnostics);
-  } catch (const studies::StudyError& e) {
-    throw UsageError{e.what()};
-  }
-  if (!found) return report_unready(diagnostics, runs::PreparedScene::State::wrong_input, terminal);
-  if (const std::string changed = what_changed(study, o.folder); !changed.empty())
-    terminal.say("netloft: " + changed + "; the estimates are those of the study as it was planned");
-  print_line(o.json ? studies::estimate_json(study.name, *found)
-                    : studies::estimate_text(study.name, *found));
-  return kDone;
-}
-
-int study_sobol_command(const StudySobolOptions& o) {
-  Terminal terminal(o);
-  const studies::Study study = read_study(o.folder);
-  if (!o.output.empty() && fs::path(o.output).extension() != ".svg")
-    throw UsageError{"-o " + o.output + ": the bars of the indices can be written as .svg only"};
-  formats::Diagnostics diagnostics;
-  std::optional<studies::StudyIndices> found;
-  try {
-    found = studies::study_indices(studies::collect_table(study, o.folder), {o.at, o.figures}, diagnostics);
-  } catch (const studies::StudyError& e) {
-    throw UsageError{e.what()};
-  }
-  if (!found) return report_unready(diagnostics, runs::PreparedScene::State::wrong_input, terminal);
-  if (!o.output.empty()) write_bars(o.output, studies::indices_bars(*found), "--figure");
-  if (const std::string changed = what_changed(study, o.folder); !changed.empty())
-    terminal.say("netloft: " + changed + "; the indices are those of the study as it was planned");
-  print_line(o.json ? studies::indices_json(study.name, *found) : studies::indices_text(study.name, *found));
   return kDone;
 }
 

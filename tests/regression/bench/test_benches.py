@@ -32,7 +32,6 @@ COMMANDS = {  # what it is called with
     "large_study.py": (PROGRAM, LIBRARY / "studies/83-112-speed-depth.toml", "--samples", "1", "--nodes", "100", "--engines", "pool", "--jobs", "1"),
     "library_gears.py": (PROGRAM, LIBRARY, "--nodes", "100", "--only", "flume-3.0kn"),
     "knots.py": (PROGRAM, "codend.toml", "--nodes", "100"),
-    "estimates.py": (PROGRAM, "ropes", "--places", "1"),
     "steering.py": (SOURCE,),
     "stage_counts.py": (PROGRAM, SOURCE, "--only", "cod-end"),
     "attempts.py": (PROGRAM, SOURCE, "--nodes", "100", "--only", "flume-3.0kn"),
@@ -51,10 +50,6 @@ class Benches(unittest.TestCase):
         cls.addClassCleanup(keeper.cleanup)
         cls.folder = Path(keeper.name)
         (cls.folder / "codend.toml").write_text(f'include = ["{LIBRARY}/scenes/codend-from-plan.toml"]\n')
-        (cls.folder / "ropes.toml").write_text(f'scene = "{LIBRARY}/scenes/hanging-rope.toml"\n[variables.density]\n'
-                                               'key = "parts.rope.rope.density"\nvalues = [2000, 2500, 3000, 3500]\n')
-        for step in ("plan ropes.toml -o ropes", "run ropes"):
-            subprocess.run([PROGRAM, "study", *step.split()], cwd=cls.folder, check=True, capture_output=True)
 
     def test_all_are_called(self):
         self.assertEqual({file.name for file in BENCH.glob("*.py")}, COMMANDS.keys() | NOT_HERE)

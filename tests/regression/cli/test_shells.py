@@ -49,7 +49,7 @@ class Bash(InFreshFolder):
 
     def test_completes_commands_and_options(self):
         self.assertEqual(self.completed("netloft dr"), ["draw"])
-        self.assertEqual(self.completed("netloft study s"), ["show", "sobol", "submit"])
+        self.assertEqual(self.completed("netloft study s"), ["show", "submit"])
         self.assertEqual(self.completed("netloft draw --di"), ["--dimensions"])
         self.assertIn("--solver", self.completed("netloft run scene.toml --"))
         self.assertNotIn("--completions", self.completed("netloft --"))
