@@ -17,7 +17,7 @@ from .quantity import Quantity
 from .result import Equilibrium
 from .scene import Scene, library, load
 from .solvers import compare, solver, strategy
-from .study import Study, study
+from .study import Study, points, study
 
 __version__ = _netloft.__version__
 
@@ -30,4 +30,4 @@ def add_plugins(folder):
 
 
 __all__ = ["Equilibrium", "Interrupted", "NetloftError", "NotConverged", "Parameter", "Quantity", "Refused", "Scene", "Stored", "Study", "WrongInput",
-           "add_plugins", "check", "compare", "element", "library", "load", "read", "simulate", "solver", "strategy", "study"]
+           "add_plugins", "check", "compare", "element", "library", "load", "points", "read", "simulate", "solver", "strategy", "study"]

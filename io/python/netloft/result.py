@@ -189,7 +189,7 @@ class Equilibrium(Report):
     def gradient(self, figures, numbers=None, check=False):
         """Derivatives of figures with respect to numbers of the scene: {figure: {number: derivative}}, or
         {number: derivative} if `figures` is one name. They are in the units of the figure per that of the
-        number as the scene states it. A number that has none (an integer, for instance) is left out, unless
+        number as the scene states it, in the order in which numbers are asked for. A number that has none (an integer, for instance) is left out, unless
         it was asked for: then ValueError says why.
 
         They hold as long as no member becomes slack or taut and no node touches or leaves the ground. With
@@ -202,7 +202,8 @@ class Equilibrium(Report):
         asked = [numbers] if isinstance(numbers, str) else list(numbers or ())
         index, effects = self._sensitivities(asked, check)
         table = {figure: {} for figure in wanted}
-        for path, _, unit, why_not, slopes, marks in effects:
+        places = {path: place for place, path in enumerate(asked)}
+        for path, _, unit, why_not, slopes, marks in sorted(effects, key=lambda effect: places.get(effect[0], len(places))):
             if why_not:
                 if path in asked:
                     raise ValueError(f"{path} has no derivatives: {why_not}")

@@ -32,10 +32,11 @@ def _coordinate(values):
 
 class Study:
     """The results of a study. `rows` has (values, status, reason, figures) for every point, the last variable
-    changing fastest; `failed` those without an equilibrium."""
+    changing fastest; `failed` those without an equilibrium. `dims` are the dimensions of its points with their
+    lengths: the variables of a grid, or "point" for a list."""
 
-    def __init__(self, scene, variables, rows):
-        self.scene, self.variables, self.rows = scene, variables, rows
+    def __init__(self, scene, variables, dims, rows):
+        self.scene, self.variables, self.dims, self.rows = scene, variables, dims, rows
 
     @property
     def failed(self):
@@ -47,8 +48,7 @@ class Study:
         import numpy
         import xarray
 
-        shape = [len(values) for values in self.variables.values()]
-        dims = list(self.variables)
+        dims, shape = list(self.dims), list(self.dims.values())
         known, status = {}, []
         for values, outcome, _, figures in self.rows:
             status.append(outcome)
@@ -61,7 +61,7 @@ class Study:
         coords = {}
         for name, values in self.variables.items():
             numbers, unit = _coordinate(values)
-            coords[name] = (name, numbers, {"units": unit})
+            coords[name] = (name if name in self.dims else "point", numbers, {"units": unit})
         return xarray.Dataset(data, coords=coords, attrs={"scene": str(self.scene.file), "changes": list(self.scene.changes)})
 
     def __repr__(self):
@@ -69,31 +69,54 @@ class Study:
         return f"<netloft.Study of {len(self.rows)} points, {len(self.failed)} without an equilibrium>\n{lines!r}"
 
 
-def study(scene, variables, workers=1, error=False, progress=None):
-    """Solves a scene for all combinations of values: study(gear, {"tow.speed": ["2 kn", "3 kn"], "gear.nodes": [500, 1000]}).
+def points(ranges, draws):
+    """The points of a design in the unit cube, as study() takes them: `ranges` is {path: (low, high)}, numbers or
+    texts with a unit, and `draws` has a row for each point and a column for each path, from 0 to 1."""
+    scaled = {}
+    for path, column in zip(ranges, zip(*draws, strict=True), strict=True):
+        (low, high), unit = _coordinate(ranges[path])
+        if isinstance(low, str):
+            raise ValueError(f"{path}: both ends of its range have to be numbers with the same unit")
+        scaled[path] = [f"{low + (high - low) * float(x)!r} {unit}" if unit else low + (high - low) * float(x) for x in column]
+    return [dict(zip(scaled, values)) for values in zip(*scaled.values())]
 
-    Each point is solved alone, from the sketch, so that results depend neither on the others nor on the number
-    of workers. workers: processes (on systems that can fork). error: with the errors of the mesh.
+
+def study(scene, variables, workers=1, error=False, progress=None):
+    """Solves a scene with other values.
+
+    variables: a grid, {"tow.speed": ["2 kn", "3 kn"], "gear.nodes": [500, 1000]}, of which all combinations are
+        solved, or a list of points, each a dict of all variables.
+    workers: processes (on systems that can fork). error: with the errors of the mesh.
     progress: called with the number of points done and that of all.
+    Each point is solved alone, from the sketch, so that results depend neither on the others nor on the number
+    of workers.
     """
-    variables = {path: list(values) for path, values in variables.items()}
+    if isinstance(variables, dict):
+        variables = {path: list(values) for path, values in variables.items()}
+        design = [dict(zip(variables, values)) for values in itertools.product(*variables.values())]
+        dims = {path: len(values) for path, values in variables.items()}
+    else:
+        design = [dict(point) for point in variables]
+        if any(point.keys() != design[0].keys() for point in design):
+            raise ValueError("all points of a study need values of the same variables")
+        variables = {path: [point[path] for point in design] for path in (design[0] if design else ())}
+        dims = {"point": len(design)}
     for path, values in variables.items():
         if not values:
             raise ValueError(f"{path} has no values")
-    points = [dict(zip(variables, values)) for values in itertools.product(*variables.values())]
     rows = []
 
     def keep(point, outcome):
         rows.append((point, *outcome))
         if progress is not None:
-            progress(len(rows), len(points))
+            progress(len(rows), len(design))
 
     if workers == 1:
-        for point in points:
+        for point in design:
             keep(point, _solve_one(scene, point, error))
     else:
         with ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("fork")) as pool:
-            outcomes = pool.map(_solve_one, itertools.repeat(scene), points, itertools.repeat(error))
-            for point, outcome in zip(points, outcomes):
+            outcomes = pool.map(_solve_one, itertools.repeat(scene), design, itertools.repeat(error))
+            for point, outcome in zip(design, outcomes):
                 keep(point, outcome)
-    return Study(scene, variables, rows)
+    return Study(scene, variables, dims, rows)

@@ -115,6 +115,8 @@ class Derivatives(unittest.TestCase):
 
     def test_of_both_modes_are_the_same(self):
         numbers = ["tow.speed", "ropes.headrope.length"]
+        self.assertEqual(list(RESULT.gradient("drag/all/x", numbers)), numbers)
+        self.assertEqual(list(RESULT.gradient("drag/all/x", numbers[::-1])), numbers[::-1])
         jvp = RESULT.jvp({"tow.speed": 0.1, "ropes.headrope.length": 0.2})
         vjp = RESULT.vjp({"drag/all/x": 1.0}, numbers)
         self.assertAlmostEqual(jvp["drag/all/x"], 0.1 * vjp["tow.speed"] + 0.2 * vjp["ropes.headrope.length"], places=6)
