@@ -62,7 +62,7 @@ Answer::Answer(const OpenedScene& source, const SolveRequest& request, const std
 }
 
 void Answer::find_mesh_errors(const std::atomic<bool>& interrupt) {
-  const std::lock_guard lock(python::reading());
+  const ReadingLock lock;
   studies::find_mesh_errors(scene_->source(), scene_->registry(), *scene_, solution_,
                             studies::levels_around(scene_->loaded()), {.interrupt = &interrupt}, result_);
 }
@@ -133,7 +133,7 @@ studies::Sensitivities Answer::sensitivities(const std::vector<std::string>& pat
         "derivatives keep all numbers of the scene but one, and this scene finds a length by itself; leave "
         "out "
         "ship.warp.tension");
-  const std::lock_guard lock(python::reading());
+  const ReadingLock lock;
   const auto numbers = studies::chosen_numbers(*scene_, paths);
   return studies::find_sensitivities(
       *scene_, solution_, {studies::all_figures(result_), numbers, with_long_step, &interrupt, {}});

@@ -55,13 +55,13 @@ PYBIND11_MODULE(_netloft, module) {
   bind_elements(module);
   program::find_plugins({}, registry());
   module.def("add_plugins", [](const std::string& folder) {
-    const std::lock_guard lock(reading());
+    const ReadingLock lock;
     registry().add_folder(folder);
   });
   module.def("installed_folder", [] { return formats::installed_folder().string(); });
   module.def("add_solver", &add_solver, py::arg("name"), py::arg("doc"), py::arg("solve"));
   module.def("components", [] {
-    const std::lock_guard lock(reading());
+    const ReadingLock lock;
     return registry().available();
   });
   module.attr("__version__") = results::program_version();

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/python/module/opened_scene.hpp"
 
+#include <pybind11/pybind11.h>
+
 #include <algorithm>
+#include <mutex>
 
 namespace netloft::python {
 
@@ -10,10 +13,25 @@ Registry& registry() {
   return all;
 }
 
+namespace {
+
 std::mutex& reading() {
   static std::mutex& mutex = *new std::mutex;
   return mutex;
 }
+
+}  // namespace
+
+ReadingLock::ReadingLock() {
+  if (PyGILState_Check()) {
+    const pybind11::gil_scoped_release others_may_run;
+    reading().lock();
+  } else {
+    reading().lock();
+  }
+}
+
+ReadingLock::~ReadingLock() { reading().unlock(); }
 
 WrongScene::WrongScene(const formats::Diagnostics& all, bool is_refused)
     : std::runtime_error(all.render(false)), diagnostics(all), refused(is_refused) {}
@@ -51,7 +69,7 @@ std::vector<std::string> OpenedScene::command() const {
 }
 
 formats::Value OpenedScene::tables() const {
-  const std::lock_guard lock(reading());
+  const ReadingLock lock;
   formats::Diagnostics diagnostics;
   formats::Value tables = source_.scene.tables(source_.changes, diagnostics);
   if (diagnostics.errors()) throw WrongScene(diagnostics, false);
@@ -59,14 +77,14 @@ formats::Value OpenedScene::tables() const {
 }
 
 formats::Diagnostics OpenedScene::check() const {
-  const std::lock_guard lock(reading());
+  const ReadingLock lock;
   runs::PreparedScene scene(source_, registry());
   scene.prepare();
   return scene.diagnostics();
 }
 
 std::shared_ptr<runs::PreparedScene> OpenedScene::prepare(const runs::PreparedScene* like) const {
-  const std::lock_guard lock(reading());
+  const ReadingLock lock;
   auto scene = std::make_shared<runs::PreparedScene>(source_, registry());
   const auto state = like ? scene->prepare_like(*like) : scene->prepare();
   if (state != runs::PreparedScene::State::ready)

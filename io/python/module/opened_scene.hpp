@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,8 +13,15 @@ namespace netloft::python {
 /// The plugins of this process. Solvers that are written in Python are among them.
 Registry& registry();
 
-/// Held while scenes are read: the registry, and the data that changed scenes share, serve one thread only.
-std::mutex& reading();
+/// Held while scenes are read: the registry, and the data that changed scenes share, serve one thread only. A
+/// thread that has the lock of the interpreter gives it back while it waits, because the reader may want it.
+class ReadingLock {
+ public:
+  ReadingLock();
+  ~ReadingLock();
+  ReadingLock(const ReadingLock&) = delete;
+  ReadingLock& operator=(const ReadingLock&) = delete;
+};
 
 /// A scene that cannot be solved as it is, with the messages about it.
 struct WrongScene : std::runtime_error {

@@ -149,7 +149,7 @@ void describe_element(PythonPlugin& p, unsigned nodes, const std::vector<std::st
 py::list check_component(const std::string& type) {
   const ElementType* element = nullptr;
   {
-    const std::lock_guard lock(reading());
+    const ReadingLock lock;
     element = &registry().element(type);
   }
   ConformanceReport report;

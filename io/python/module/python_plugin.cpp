@@ -69,7 +69,7 @@ void describe_plugin(PythonPlugin& p) {
 void add_python_plugin(const std::string& name, const std::string& doc, py::function call,
                        std::vector<RealParameter> parameters,
                        const std::function<void(PythonPlugin&)>& describe) {
-  const std::lock_guard lock(reading());
+  const ReadingLock lock;
   if (std::ranges::count(registry().available(), name))
     throw PluginRefused("\"" + name + "\" is the name of a plugin already; choose another one");
   PythonPlugin& plugin = python_plugins().emplace_back();

@@ -25,7 +25,7 @@ py::list numbers_of_scene(const OpenedScene& scene) {
   using Numbers = std::vector<studies::SceneNumber>;
   return scene_number_list(in_background<Numbers>([&](const std::atomic<bool>&) {
     const auto prepared = scene.prepare();
-    const std::lock_guard lock(reading());
+    const ReadingLock lock;
     Numbers all = studies::chosen_numbers(*prepared, {});
     for (auto& number : studies::parameters_of(prepared->loaded(), registry()))
       all.push_back(std::move(number));

@@ -2,6 +2,7 @@
 """An energy in Python is an element: it conforms, and hangs as the plugin hangs."""
 import math
 import tempfile
+import threading
 import unittest
 from pathlib import Path
 
@@ -67,6 +68,18 @@ class AnEnergy(unittest.TestCase):
         plugin = self.solve(type="rope/bar", table=f"rope = {{ EA = {EA}, EA_compression = {EA}, density = {DENSITY}, diameter = {DIAMETER} }}")
         self.assertEqual(ours.stability, "stable")
         self.assertLess(numpy.abs(ours.points - plugin.points).max(), 1e-8)
+
+    def test_serves_several_threads(self):
+        words = {"type": "cord/energy", "table": f"cord = {{ EA = {EA}, weight = {WEIGHT!r} }}"}
+        alone, results = self.solve(**words), []
+        threads = [threading.Thread(target=lambda: results.append(self.solve(**words))) for _ in range(3)]
+        [thread.start() for thread in threads]
+        for _ in range(20):  # reads scenes, which the others do at the same time
+            netloft.load("hanging-rope.toml").tables
+        [thread.join(60) for thread in threads]
+        self.assertEqual(len(results), 3)
+        for result in results:
+            numpy.testing.assert_array_equal(result.points, alone.points)
 
     def test_that_is_never_defined_is_named(self):
         @netloft.element(nodes=2, parameters={"void.EA": netloft.Parameter("N", "stiffness", default=1.0)})
