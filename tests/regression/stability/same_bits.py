@@ -16,7 +16,7 @@ SECONDS = "s"
 def without_times(value):
     """A JSON value without what a clock has measured and where the result was written."""
     if isinstance(value, dict):
-        return {k: without_times(v) for k, v in value.items() if "seconds" not in k and k not in ("output", "threads")}
+        return {k: without_times(v) for k, v in value.items() if "seconds" not in k and k not in ("output", "threads", "plan")}
     if isinstance(value, list):
         return [without_times(v) for v in value]
     return value
