@@ -126,7 +126,8 @@ void add_solver(const std::string& name, const std::string& doc, py::function so
 }
 
 void bind_problem(py::module_& module) {
-  py::class_<PythonProblem, std::shared_ptr<PythonProblem>>(module, "Problem")
+  py::class_<PythonProblem, std::shared_ptr<PythonProblem>>(
+      module, "Problem", "The equations r(u) = 0 as a solver sees them; valid until the solver returns.")
       .def_property_readonly("size", &PythonProblem::size)
       .def_property_readonly("u", &current_point)
       .def("evaluate", &evaluate, py::arg("u"), py::arg("tangent") = false)

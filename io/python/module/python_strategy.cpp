@@ -110,7 +110,9 @@ void add_strategy(const std::string& name, const std::string& doc, py::function 
 }
 
 void bind_search(py::module_& module) {
-  py::class_<PythonSearch, std::shared_ptr<PythonSearch>>(module, "Search")
+  py::class_<PythonSearch, std::shared_ptr<PythonSearch>>(
+      module, "Search",
+      "A scene and its easier variants as a strategy sees them; valid until the strategy returns.")
       .def_property_readonly("start", [](PythonSearch& s) { return array_from(s.valid().start()); })
       .def_property_readonly("levels", &count_levels)
       .def_property_readonly("conservative", [](PythonSearch& s) { return s.valid().conservative(); })

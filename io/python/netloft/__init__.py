@@ -7,6 +7,8 @@
     r.report["mouth/headline_height"]
 """
 
+from __future__ import annotations
+
 from pathlib import Path as _Path
 
 from . import _netloft
@@ -16,18 +18,19 @@ from .motion import Stored, read, simulate
 from .quantity import Quantity
 from .result import Equilibrium
 from .scene import Scene, library, load
-from .solvers import compare, solver, strategy
+from .solvers import Problem, Search, compare, solver, strategy
 from .study import Study, points, study
 
-__version__ = _netloft.__version__
+__version__: str = _netloft.__version__
 
 
-def add_plugins(folder):
+def add_plugins(folder: _Path | str) -> None:
     """Adds a folder of plugins to those that are searched."""
     if not _Path(folder).is_dir():
         raise NotADirectoryError(f"{folder}: there is no such folder of plugins")
     _netloft.add_plugins(str(_Path(folder).resolve()))
 
 
-__all__ = ["Equilibrium", "Interrupted", "NetloftError", "NotConverged", "Parameter", "Quantity", "Refused", "Scene", "Stored", "Study", "WrongInput",
-           "add_plugins", "check", "compare", "element", "library", "load", "points", "read", "simulate", "solver", "strategy", "study"]
+__all__ = ["Equilibrium", "Interrupted", "NetloftError", "NotConverged", "Parameter", "Problem", "Quantity", "Refused", "Scene", "Search",
+           "Stored", "Study", "WrongInput", "add_plugins", "check", "compare", "element", "library", "load", "points", "read", "simulate",
+           "solver", "strategy", "study"]

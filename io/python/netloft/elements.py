@@ -1,9 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Elements that are written in Python, as an energy: for trying out a model, not for speed."""
 
+from __future__ import annotations
+
 import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from . import _netloft
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+Energy = TypeVar("Energy", bound=Callable[..., Any])
 
 _OUTER = 1e300  # the range of a parameter without limits
 
@@ -11,19 +20,19 @@ _OUTER = 1e300  # the range of a parameter without limits
 class Parameter:
     """A real parameter of an element: its SI unit ("1": a pure number), a sentence, a default and its range."""
 
-    def __init__(self, unit, doc, default=None, low=0.0, high=_OUTER):
+    def __init__(self, unit: str, doc: str, default: float | None = None, low: float = 0.0, high: float = _OUTER) -> None:
         self.unit, self.doc, self.default, self.low, self.high = unit, doc, default, low, high
 
 
 class _Values:
     """The parameters and data of some elements, each an array over the elements."""
 
-    def __init__(self, names, rows):
+    def __init__(self, names: Sequence[str], rows: Iterable[Any]) -> None:
         for name, row in zip(names, rows):
             setattr(self, name, row)
 
 
-def _gradient(energy, x, values):
+def _gradient(energy: Callable[..., Any], x: NDArray[Any], values: _Values) -> NDArray[Any]:
     """dE/dx [dof, element] by a complex step: exact to rounding, if the energy is analytic."""
     import numpy
 
@@ -36,13 +45,13 @@ def _gradient(energy, x, values):
     return gradient
 
 
-def _differentiated(energy, parameters, data):
+def _differentiated(energy: Callable[..., Any], parameters: Sequence[str], data: Sequence[str]) -> Callable[..., Any]:
     """The function that the module calls: energies, forces and tangents of a tile of elements."""
     import numpy
 
     widths = {"u": 3, "v": 3, "to_aft": 3}
 
-    def derivatives(x, parameter_rows, data_rows, with_tangent):
+    def derivatives(x: NDArray[Any], parameter_rows: Any, data_rows: Any, with_tangent: bool) -> tuple[NDArray[Any], ...]:
         values = _Values(parameters, parameter_rows)
         at = 0
         for name in data:
@@ -66,7 +75,8 @@ def _differentiated(energy, parameters, data):
     return derivatives
 
 
-def element(nodes, parameters, data=(), from_outside=False, name=None):
+def element(nodes: int, parameters: Mapping[str, Parameter], data: Iterable[str] = (), from_outside: bool = False,
+            name: str | None = None) -> Callable[[Energy], Energy]:
     """Makes an energy an element of type "NAME/energy", whose forces and tangent follow by differentiation.
 
     nodes: 1 (a point), 2 (a bar, along a rope) or 3 (a triangle, in netting).
@@ -87,19 +97,19 @@ def element(nodes, parameters, data=(), from_outside=False, name=None):
             return of.EA * (length - of.rest_length) ** 2 / (2 * of.rest_length)
     """
 
-    def make(energy):
+    def make(energy: Energy) -> Energy:
         own = name or re.sub(r"[^a-z0-9]+", "-", energy.__name__.lower()).strip("-")
         doc = (energy.__doc__ or "an element in Python").strip().splitlines()[0]
         rows = [_netloft.RealParameter(key, p.unit, p.doc, p.low if p.default is None else p.default, p.low, p.high, p.default is None)
                 for key, p in parameters.items()]
         short = [key.split(".")[-1] for key in parameters]
         _netloft.add_element(own, doc, nodes, rows, list(data), from_outside, _differentiated(energy, short, list(data)))
-        energy.netloft_name = f"{own}/energy"
+        setattr(energy, "netloft_name", f"{own}/energy")
         return energy
 
     return make
 
 
-def check(component):
+def check(component: Callable[..., Any] | str) -> list[tuple[str, str, str, str]]:
     """What `netloft test` says of an element: a list of (check, "passed", "skipped" or "failed", detail, hint)."""
     return _netloft.check_component(getattr(component, "netloft_name", component))

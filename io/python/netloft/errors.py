@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Exceptions of the package. What went wrong, where, and the cure are in their text."""
 
+from __future__ import annotations
+
+from typing import Any
+
 
 class NetloftError(Exception):
     """Any error of Netloft."""
@@ -12,11 +16,11 @@ class WrongInput(NetloftError, ValueError):
     `messages` has a dict for each message: severity, where ("trawl.toml:12:8"), line, column, message, hint.
     """
 
-    def __init__(self, text, messages):
+    def __init__(self, text: str, messages: list[dict[str, Any]]) -> None:
         super().__init__(text)
         self.messages = messages
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (str(self), self.messages)
 
 
@@ -27,18 +31,18 @@ class Refused(WrongInput):
 class NotConverged(NetloftError):
     """A search that ended without a valid equilibrium. `result` is the shape it reached, `part` what is at fault."""
 
-    def __init__(self, result):
+    def __init__(self, result: Any) -> None:
         self.result = result
         self.part = result.at_fault
         super().__init__(f"{result.status}: {result.reason}" + (f" (at {self.part})" if self.part else ""))
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[Any, ...]:
         return NetloftError, (str(self),)
 
 
 class Interrupted(KeyboardInterrupt):
     """A search that the user interrupted. `result` is the shape it had reached; None: there was none yet."""
 
-    def __init__(self, result):
+    def __init__(self, result: Any) -> None:
         super().__init__("interrupted" + ("" if result is None else "; .result has the shape so far"))
         self.result = result

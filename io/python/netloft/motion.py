@@ -1,52 +1,64 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Results in files: equilibria and motions, their shapes, pictures and pages."""
 
+from __future__ import annotations
+
 import tempfile
+from collections.abc import Callable, Iterable
 from pathlib import Path
+from typing import TYPE_CHECKING, Any, overload
 
 from . import _netloft
 from .errors import Interrupted, NotConverged
 from .names import Named, unknown
-from .result import Report, joined
+from .result import Equilibrium, Report, joined
+
+if TYPE_CHECKING:
+    import xarray
+
+    from .result import Array, Cells
+    from .scene import Scene
 
 
 class Stored(Report):
     """A result in a file: an equilibrium, or a motion with a state at each of `times` [s]."""
 
-    def __init__(self, stored, path):
+    def __init__(self, stored: _netloft.Stored, path: Path | str) -> None:
         super().__init__(stored)
         self.path = Path(path)
-        self.times = stored.times
+        self.times: Array = stored.times
 
     @property
-    def fields(self):
+    def fields(self) -> tuple[str, ...]:
         """Names of the fields of cells, such as "tension"."""
         return tuple(self._answer.fields())
 
     @property
-    def parts(self):
+    def parts(self) -> tuple[str, ...]:
+        """The names of the parts."""
         return tuple(dict.fromkeys(name for _, _, names in self._answer.mesh().values() for name in names))
 
     @property
-    def series(self):
+    def series(self) -> Named[Array]:
         """Numbers over time: {name: array [time]}, with units in `units_of_series`."""
         return Named("series", {name: values for name, (values, _) in self._answer.series().items()})
 
     @property
-    def units_of_series(self):
+    def units_of_series(self) -> dict[str, str]:
+        """The units of the series, by their names."""
         return {name: unit for name, (_, unit) in self._answer.series().items()}
 
-    def points(self, state=-1):
+    def points(self, state: int = -1) -> Array:
         """Positions of the nodes in a state [node, 3], in metres."""
         return self._answer.points(state)
 
-    def field(self, name, state=-1):
+    def field(self, name: str, state: int = -1) -> Array:
         """A field, one number for each cell of the file; NaN for cells without a value."""
         if name not in self.fields:
             raise KeyError(unknown("field", name, list(self.fields)))
         return self._answer.field(name, state)
 
-    def mesh(self, state=-1):
+    def mesh(self, state: int = -1) -> tuple[Array, Cells, dict[str, list[Array]]]:
         """(points, cells, data), as Equilibrium.mesh()."""
         fields = {name: self.field(name, state) for name in self.fields}
         parts = {name: index for index, name in enumerate(self.parts)}
@@ -57,12 +69,12 @@ class Stored(Report):
                 blocks[kind] = [(nodes, {"part": [parts[name] for name in names], **data})]
         return self.points(state), *joined(blocks)
 
-    def to_xarray(self):
+    def to_xarray(self) -> xarray.Dataset:
         """An xarray.Dataset: series over time, and positions [time, node, axis], with units."""
         import numpy
         import xarray
 
-        data = {"points": (("time", "node", "axis"), numpy.stack([self.points(i) for i in range(max(1, len(self.times)))]), {"units": "m"})}
+        data: dict[str, Any] = {"points": (("time", "node", "axis"), numpy.stack([self.points(i) for i in range(max(1, len(self.times)))]), {"units": "m"})}
         units = self.units_of_series
         for name, values in self.series.items():
             padded = numpy.full(max(1, len(self.times)), numpy.nan)
@@ -71,7 +83,11 @@ class Stored(Report):
         times = self.times if len(self.times) else [0.0]
         return xarray.Dataset(data, coords={"time": ("time", times, {"units": "s"}), "axis": ["x", "y", "z"]}, attrs={"status": self.status})
 
-    def picture(self, path=None, view="oblique", field="", state=-1, width=1000):
+    @overload
+    def picture(self, path: None = None, view: str = ..., field: str = ..., state: int = ..., width: int = ...) -> str: ...
+    @overload
+    def picture(self, path: Path | str, view: str = ..., field: str = ..., state: int = ..., width: int = ...) -> Path: ...
+    def picture(self, path: Path | str | None = None, view: str = "oblique", field: str = "", state: int = -1, width: int = 1000) -> str | Path:
         """A picture of a state: written to path (.svg or .png), or returned as the text of an SVG."""
         is_png = path is not None and str(path).endswith(".png")
         content = self._answer.picture(is_png, view, field, state, width)
@@ -80,7 +96,11 @@ class Stored(Report):
         Path(path).write_bytes(content)
         return Path(path)
 
-    def page(self, path=None, most_states=60):
+    @overload
+    def page(self, path: None = None, most_states: int = ...) -> str: ...
+    @overload
+    def page(self, path: Path | str, most_states: int = ...) -> Path: ...
+    def page(self, path: Path | str | None = None, most_states: int = 60) -> str | Path:
         """The page of `netloft view` in one file, written to path or returned as a text."""
         text = _netloft.page([self._answer], most_states)
         if path is None:
@@ -88,11 +108,11 @@ class Stored(Report):
         Path(path).write_text(text, encoding="utf-8")
         return Path(path)
 
-    def _repr_svg_(self):
+    def _repr_svg_(self) -> str:
         return self.picture(width=700)
 
 
-def read(path):
+def read(path: Path | str) -> Stored:
     """The result in a file that `netloft run` or Equilibrium.save() wrote."""
     path = Path(path)
     if not path.is_file():
@@ -100,7 +120,7 @@ def read(path):
     return Stored(_netloft.Stored(path), path)
 
 
-def stored(equilibrium):
+def stored(equilibrium: Equilibrium) -> Stored:
     """An equilibrium as the result that its file would hold."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / (equilibrium.scene.file.stem + ".hdf")
@@ -108,7 +128,8 @@ def stored(equilibrium):
         return Stored(_netloft.Stored(path), path)
 
 
-def simulate(scene, times=None, output=None, progress=None):
+def simulate(scene: Scene, times: Iterable[float] | None = None, output: Path | str | None = None,
+             progress: Callable[[float, float], object] | None = None) -> Stored:
     """The motion of a scene with `analysis.kind = "dynamic"`.
 
     times: the times of the outputs [s], from 0 on in equal steps; without them those of the scene.
@@ -128,13 +149,14 @@ def simulate(scene, times=None, output=None, progress=None):
             raise Interrupted(motion) from ended_by
         if ended_by is not None:
             raise ended_by
+        assert motion is not None, "a motion that ends by itself has a file"
         if motion.status != "finished":
             raise NotConverged(motion)
         return motion
 
 
-def _outputs_at(times):
-    times = [float(t) for t in times]
+def _outputs_at(wanted: Iterable[float]) -> dict[str, float]:
+    times = [float(t) for t in wanted]
     step = times[-1] / (len(times) - 1) if len(times) > 1 else 0
     if not step > 0 or any(abs(t - i * step) > 1e-9 * times[-1] for i, t in enumerate(times)):
         raise ValueError("the times of outputs begin at 0 and grow in equal steps, as numpy.linspace(0, 10, 101) does")

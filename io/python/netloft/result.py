@@ -1,19 +1,37 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Results: figures with units and errors, shapes as arrays, derivatives."""
 
+from __future__ import annotations
+
 import json
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, overload
 
 from . import _netloft
 from .names import Named, unknown
 from .quantity import Quantity
 
+if TYPE_CHECKING:
+    import numpy
+    import scipy.sparse
+    import xarray
+    from numpy.typing import NDArray
 
-def _quantity(number):
+    from .scene import Scene
+
+    Array = NDArray[numpy.float64]
+    IntArray = NDArray[numpy.uint32]
+    Blocks = dict[str, list[tuple[IntArray, dict[str, Any]]]]  # by the kind of cells: nodes, and data of these cells
+    Cells = list[tuple[str, IntArray]]
+
+
+def _quantity(number: tuple[Any, ...]) -> tuple[str, Quantity]:
     name, value, unit, doc, *errors = number
     return name, Quantity(value, unit, doc, *errors)
 
 
-def joined(blocks):
+def joined(blocks: Blocks) -> tuple[Cells, dict[str, list[Array]]]:
     """Cells and data of some parts, {kind: [(nodes, {name: values})]}, as meshio.Mesh takes them."""
     import numpy
 
@@ -32,27 +50,30 @@ class PartResult:
     as `tension` [element]; `units` and `docs` say what they are.
     """
 
-    def __init__(self, name, blocks):
+    def __init__(self, name: str, blocks: list[tuple[Any, ...]]) -> None:
         self.name = name
-        main = max(blocks, key=lambda block: block[2].shape[1])
-        self.type, self.nodes = main[1], main[2]
-        self.outputs, self.units, self.docs = {}, {}, {}
+        main = max(blocks, key=lambda block: int(block[2].shape[1]))
+        self.type: str = main[1]
+        self.nodes: IntArray = main[2]
+        self.outputs: dict[str, Array] = {}
+        self.units: dict[str, str] = {}
+        self.docs: dict[str, str] = {}
         for _, _, _, outputs in sorted(blocks, key=lambda block: block is not main):
             for key, (values, unit, doc) in outputs.items():
                 if key not in self.outputs:
                     self.outputs[key], self.units[key], self.docs[key] = values, unit, doc
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Any:
         if name.startswith("_") or "outputs" not in self.__dict__:
             raise AttributeError(name)
         if name in self.outputs:
             return self.outputs[name]
         raise AttributeError(unknown(f"output of {self.name}", name, list(self.outputs)))
 
-    def __dir__(self):
+    def __dir__(self) -> list[str]:
         return ["name", "type", "nodes", "units", "docs", *self.outputs]
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         lines = [f"<{self.name}: {len(self.nodes)} elements {self.type}>"]
         for name, values in self.outputs.items():
             lines.append(f"  {name:<20} {values.min():.6g} to {values.max():.6g} {self.units[name]}")
@@ -62,25 +83,33 @@ class PartResult:
 class Report:
     """What every result has: an outcome, figures, text."""
 
-    def __init__(self, answer):
+    def __init__(self, answer: Any) -> None:
         self._answer = answer
-        self.status, self.stability = answer.status, answer.stability
-        self.reason, self.at_fault = answer.reason, answer.at_fault
-        self.warnings = tuple(answer.warnings)
+        self.status: str = answer.status
+        self.stability: str = answer.stability
+        self.reason: str = answer.reason
+        self.at_fault: str = answer.at_fault
+        self.warnings: tuple[str, ...] = tuple(answer.warnings)
         self.report = Named("figure", dict(map(_quantity, answer.figures())))
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Any]:
         """All numbers of the result as `netloft report --json` has them."""
-        return json.loads(self._answer.json())
+        numbers: dict[str, Any] = json.loads(self._answer.json())
+        return numbers
 
-    def text(self):
+    def text(self) -> str:
         """The report as text."""
-        return self._answer.text()
+        return str(self._answer.text())
 
-    def _ipython_key_completions_(self):
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """The names of the parts."""
+        raise NotImplementedError
+
+    def _ipython_key_completions_(self) -> list[str]:
         return list(self.parts)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         figures = Named("figure", {name: self.report[name] for name in self._answer.key_figures()})
         return f"<{self.status}, {self.stability}>\n{figures!r}" if figures else f"<{self.status}, {self.stability}>"
 
@@ -88,26 +117,26 @@ class Report:
 class Equilibrium(Report):
     """A scene and the shape at which its search ended."""
 
-    def __init__(self, scene, answer):
+    def __init__(self, scene: Scene, answer: _netloft.Answer) -> None:
         super().__init__(answer)
         self.scene = scene
-        self._blocks = None
-        self._factor = None
-        self._found = {}
+        self._blocks: dict[str, list[tuple[Any, ...]]] | None = None
+        self._factor: Any = None
+        self._found: dict[tuple[tuple[str, ...], bool], tuple[list[str], list[Any]]] = {}
 
     # ------------------------------------------------------------ shapes
 
     @property
-    def points(self):
+    def points(self) -> Array:
         """Positions of the nodes [node, 3] in metres; z points up and is zero at the surface."""
         return self._answer.points
 
     @property
-    def u(self):
+    def u(self) -> Array:
         """Displacements of the unknowns from the start of the scene [m]."""
         return self._answer.u
 
-    def _elements(self):
+    def _elements(self) -> dict[str, list[tuple[Any, ...]]]:
         if self._blocks is None:
             self._blocks = {}
             for block in self._answer.elements():
@@ -115,20 +144,21 @@ class Equilibrium(Report):
         return self._blocks
 
     @property
-    def parts(self):
+    def parts(self) -> tuple[str, ...]:
+        """The names of the parts that have elements."""
         return tuple(self._elements())
 
-    def __getitem__(self, part):
+    def __getitem__(self, part: str) -> PartResult:
         blocks = self._elements().get(part)
         if blocks is None:
             raise KeyError(unknown("part", part, list(self._elements())))
         return PartResult(part, blocks)
 
-    def mesh(self):
+    def mesh(self) -> tuple[Array, Cells, dict[str, list[Array]]]:
         """(points, cells, data) as meshio.Mesh takes them: `cells` is a list of ("triangle" or "line", nodes
         [cell, corner]), `data` has every output of the elements, one array for each block of cells, NaN where
         a cell has none; "part" is an index of `parts`."""
-        blocks = {"triangle": [], "line": []}
+        blocks: Blocks = {"triangle": [], "line": []}
         for index, part in enumerate(self.parts):
             result = self[part]
             kind = {3: "triangle", 2: "line"}.get(result.nodes.shape[1])
@@ -136,21 +166,25 @@ class Equilibrium(Report):
                 blocks[kind].append((result.nodes, {"part": index, **result.outputs}))
         return self.points, *joined(blocks)
 
-    def to_xarray(self):
+    def to_xarray(self) -> xarray.Dataset:
         """An xarray.Dataset with the positions of nodes and all figures, units in their attributes."""
         import xarray
 
-        data = {"points": (("node", "axis"), self.points, {"units": "m"})}
+        data: dict[str, Any] = {"points": (("node", "axis"), self.points, {"units": "m"})}
         for name, q in self.report.items():
             data[name] = ((), float(q), {"units": q.unit, "long_name": q.doc, "error": q.error})
         return xarray.Dataset(data, coords={"axis": ["x", "y", "z"]},
                               attrs={"scene": str(self.scene.file), "changes": list(self.scene.changes), "status": self.status})
 
-    def save(self, path):
+    def save(self, path: Path | str) -> None:
         """Writes the result file that `netloft run` writes. An earlier one of that name becomes NAME~."""
         self._answer.write(str(path))
 
-    def draw(self, path=None, view="oblique", field="", width=1000):
+    @overload
+    def draw(self, path: None = None, view: str = ..., field: str = ..., width: int = ...) -> str: ...
+    @overload
+    def draw(self, path: Path | str, view: str = ..., field: str = ..., width: int = ...) -> Path: ...
+    def draw(self, path: Path | str | None = None, view: str = "oblique", field: str = "", width: int = 1000) -> str | Path:
         """A picture of the gear, as `netloft draw` makes it: written to path (.svg or .png), or the text of an SVG.
 
         view: "oblique", "side", "top" or "front". field: what the colours show, such as "tension".
@@ -159,13 +193,17 @@ class Equilibrium(Report):
 
         return stored(self).picture(path, view, field, width=width)
 
-    def page(self, path=None):
+    @overload
+    def page(self, path: None = None) -> str: ...
+    @overload
+    def page(self, path: Path | str) -> Path: ...
+    def page(self, path: Path | str | None = None) -> str | Path:
         """The page of `netloft view`, with the gear in three dimensions: written to path, or as a text."""
         from .motion import stored
 
         return stored(self).page(path)
 
-    def view(self, width="100%", height=600):
+    def view(self, width: str = "100%", height: int = 600) -> Any:
         """The page of `netloft view` in a notebook."""
         import base64
 
@@ -174,23 +212,27 @@ class Equilibrium(Report):
         page = base64.b64encode(self.page().encode()).decode()
         return IFrame(f"data:text/html;base64,{page}", width, height)
 
-    def _repr_svg_(self):
+    def _repr_svg_(self) -> str:
         return self.draw(width=700)
 
     # ------------------------------------------------------------ derivatives
 
-    def _sensitivities(self, numbers, check=False):
+    def _sensitivities(self, numbers: Iterable[str] | None, check: bool = False) -> tuple[list[str], list[Any]]:
         key = (tuple(numbers or ()), check)
         if key not in self._found:
             figures, effects = self._answer.sensitivities(list(key[0]), check)
             self._found[key] = [name for name, *_ in figures], effects
         return self._found[key]
 
-    def gradient(self, figures, numbers=None, check=False):
+    @overload
+    def gradient(self, figures: str, numbers: Iterable[str] | None = None, check: bool = ...) -> dict[str, Quantity]: ...
+    @overload
+    def gradient(self, figures: list[str], numbers: Iterable[str] | None = None, check: bool = ...) -> dict[str, dict[str, Quantity]]: ...
+    def gradient(self, figures: str | list[str], numbers: Iterable[str] | None = None, check: bool = False) -> Any:
         """Derivatives of figures with respect to numbers of the scene: {figure: {number: derivative}}, or
         {number: derivative} if `figures` is one name. They are in the units of the figure per that of the
-        number as the scene states it, in the order in which numbers are asked for. A number that has none (an integer, for instance) is left out, unless
-        it was asked for: then ValueError says why.
+        number as the scene states it, in the order in which numbers are asked for. A number that has none (an
+        integer, for instance) is left out, unless it was asked for: then ValueError says why.
 
         They hold as long as no member becomes slack or taut and no node touches or leaves the ground. With
         check=True they are found by a longer step as well, and are NaN where that finds others.
@@ -201,7 +243,7 @@ class Equilibrium(Report):
             names[figure]  # KeyError with the likely name
         asked = [numbers] if isinstance(numbers, str) else list(numbers or ())
         index, effects = self._sensitivities(asked, check)
-        table = {figure: {} for figure in wanted}
+        table: dict[str, dict[str, Quantity]] = {figure: {} for figure in wanted}
         places = {path: place for place, path in enumerate(asked)}
         for path, _, unit, why_not, slopes, marks in sorted(effects, key=lambda effect: places.get(effect[0], len(places))):
             if why_not:
@@ -215,7 +257,7 @@ class Equilibrium(Report):
                 table[figure][path] = Quantity(value, per)
         return table[figures] if isinstance(figures, str) else table
 
-    def jvp(self, changes):
+    def jvp(self, changes: Mapping[str, float]) -> dict[str, float]:
         """The change of every figure, to first order, when numbers change: {"tow.speed": 0.1} in the unit of
         the scene."""
         total = dict.fromkeys(self.report, 0.0)
@@ -229,9 +271,9 @@ class Equilibrium(Report):
                 total[name] += float(slope) * float(changes[path])
         return total
 
-    def vjp(self, weights, numbers=None):
+    def vjp(self, weights: Mapping[str, float], numbers: Iterable[str] | None = None) -> dict[str, float]:
         """The derivative of a weighted sum of figures, {"towing/pull": 1.0}, with respect to every number."""
-        total = {}
+        total: dict[str, float] = {}
         for figure, weight in weights.items():
             for path, slope in self.gradient(figure, numbers).items():
                 total[path] = total.get(path, 0.0) + float(weight) * float(slope)
@@ -239,11 +281,11 @@ class Equilibrium(Report):
 
     # ------------------------------------------------------------ equations
 
-    def residual(self, u):
+    def residual(self, u: Iterable[float]) -> Array:
         """The imbalance r(u) of the forces over the unknowns [N] at displacements u [m]."""
         return self._answer.residual([float(x) for x in u])
 
-    def tangent(self):
+    def tangent(self) -> scipy.sparse.csr_matrix:
         """K = dr/du at the answer [N/m], a scipy.sparse.csr_matrix."""
         from scipy.sparse import csc_matrix, tril
 
@@ -252,17 +294,17 @@ class Equilibrium(Report):
         K = csc_matrix((values, rows, starts), shape=(size, size))
         return (K + tril(K, -1).T if symmetric else K).tocsr()
 
-    def _factors(self):
+    def _factors(self) -> Any:
         if self._factor is None:
             from scipy.sparse.linalg import splu
 
             self._factor = splu(self.tangent().tocsc())
         return self._factor
 
-    def solve(self, b):
+    def solve(self, b: Array) -> Array:
         """K⁻¹ b: the displacements that additional forces −b [N] cause, to first order [m]."""
         return self._factors().solve(b)
 
-    def solve_adjoint(self, v):
+    def solve_adjoint(self, v: Array) -> Array:
         """K⁻ᵀ v."""
         return self._factors().solve(v, trans="T")

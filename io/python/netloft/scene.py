@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Scenes: a file with changes, solved as often as wanted."""
 
+from __future__ import annotations
+
 import json
 import os
 import re
 import tomllib
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING, Any, Self
 
 from . import _netloft
 from .errors import Interrupted, NotConverged
@@ -13,11 +17,15 @@ from .names import Named, unknown
 from .quantity import Quantity
 from .result import Equilibrium
 
+if TYPE_CHECKING:
+    from .motion import Stored
+    from .solvers import Problem, Search
+
 LIBRARY = Path(_netloft.installed_folder()) / "share" / "netloft" / "gear-library"
 _STEP = re.compile(r'"(?:[^"\\]|\\.)*"|[^."\[\]]+|\[\d+\]')
 
 
-def toml(value):
+def toml(value: Any) -> str:
     """A value as TOML, for a change of a scene. A quantity keeps its unit."""
     if isinstance(value, Quantity) and value.unit:
         return json.dumps(f"{float(value)!r} {value.unit}")
@@ -36,19 +44,19 @@ def toml(value):
     raise TypeError(f"{value!r} is no value of a scene; numbers, texts, booleans, lists and dicts are")
 
 
-def steps_of(path):
+def steps_of(path: str) -> list[str]:
     """The keys of a path: ["ropes", "headrope", "length"]."""
     return [step.strip('"') for step in _STEP.findall(path)]
 
 
-class Part(Named):
+class Part(Named[Quantity]):
     """The numbers of one part of a scene: gear["headrope"].length, gear["headrope"].rope.density."""
 
-    def __init__(self, name, values):
+    def __init__(self, name: str, values: dict[str, Quantity]) -> None:
         super().__init__(f"number of {name}", values)
         self._name = name
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
             raise AttributeError(name)
         if name in self._values:
@@ -58,7 +66,7 @@ class Part(Named):
             return Part(f"{self._name}.{name}", below)
         raise AttributeError(unknown(self._what, name, list(self._values)))
 
-    def __dir__(self):
+    def __dir__(self) -> list[str]:
         return sorted({re.split(r"[.\[]", path)[0] for path in self._values})
 
 
@@ -69,36 +77,37 @@ class Scene:
     pickled, which stores the path of the file and the changes, not the text of the file.
     """
 
-    def __init__(self, file):
+    def __init__(self, file: Path | str) -> None:
         path = Path(file)
         if not path.is_file():
             raise FileNotFoundError(f"{path}: there is no such scene file")
         self._opened = _netloft.OpenedScene(str(path.resolve()))
-        self._numbers = self._parts = None
+        self._numbers: Named[Quantity] | None = None
+        self._parts: tuple[str, ...] | None = None
 
     @classmethod
-    def _of(cls, opened):
+    def _of(cls, opened: _netloft.OpenedScene) -> Scene:
         scene = object.__new__(cls)
         scene._opened, scene._numbers, scene._parts = opened, None, None
         return scene
 
     @property
-    def file(self):
+    def file(self) -> Path:
         """The path of the scene file."""
         return Path(self._opened.file)
 
     @property
-    def changes(self):
+    def changes(self) -> tuple[str, ...]:
         """The changes, each as the argument of `netloft run --set`."""
         return tuple(self._opened.changes)
 
     @property
-    def tables(self):
+    def tables(self) -> dict[str, Any]:
         """The tables of the file and of those it includes, with the changes, as dicts and lists."""
         return self._opened.tables()
 
     @property
-    def numbers(self):
+    def numbers(self) -> Named[Quantity]:
         """All numbers of the scene by their path: those that its tables state, as written, and the parameters
         of its parts that come from the catalogue, in SI units."""
         if self._numbers is None:
@@ -106,15 +115,15 @@ class Scene:
         return self._numbers
 
     @property
-    def parts(self):
+    def parts(self) -> tuple[str, ...]:
         """The names of the parts: panels, ropes, floats, boards."""
         if self._parts is None:
             self._parts = tuple(self._opened.parts())
         return self._parts
 
-    def __getitem__(self, part):
+    def __getitem__(self, part: str) -> Part:
         """The numbers of a part."""
-        values = {}
+        values: dict[str, Quantity] = {}
         for path, value in self.numbers.items():
             steps = steps_of(path)
             if len(steps) > 2 and steps[1] == part:
@@ -123,10 +132,10 @@ class Scene:
             raise KeyError(unknown("part", part, sorted({*self.parts, *(s[1] for s in map(steps_of, self.numbers) if len(s) > 2)})))
         return Part(part, values)
 
-    def _ipython_key_completions_(self):
+    def _ipython_key_completions_(self) -> list[str]:
         return list(self.parts)
 
-    def with_(self, changes=None, **more):
+    def with_(self, changes: Mapping[str, Any] | None = None, **more: Any) -> Scene:
         """Another scene with other values: with_({"tow.speed": "3 kn", "ropes.headrope.length": 26.0}).
 
         A path is that of `netloft run --set`. A number without a unit is in SI units; a text may have a unit.
@@ -135,11 +144,11 @@ class Scene:
         texts = [f"{path}={toml(value)}" for path, value in {**(changes or {}), **more}.items()]
         return Scene._of(self._opened.with_(texts))
 
-    def check(self):
+    def check(self) -> list[dict[str, Any]]:
         """All messages about the scene, errors and warnings, as a list of dicts (see errors.WrongInput)."""
         return self._opened.check()
 
-    def by(self, solver=None, strategy=None):
+    def by(self, solver: Callable[[Problem], object] | str | None = None, strategy: Callable[[Search], object] | str | None = None) -> Scene:
         """The same scene solved by another method: by(solver="newton:method=classic"), by(strategy="auto").
         A solver may also be a callable that netloft.solver() has made one."""
         opened = self._opened
@@ -148,7 +157,9 @@ class Scene:
                 opened = opened.by(key, getattr(value, "netloft_name", value))
         return Scene._of(opened)
 
-    def solve(self, start=None, mesh_of=None, error=False, solver=None, strategy=None, progress=None, raises=True):
+    def solve(self, start: Any = None, mesh_of: Equilibrium | None = None, error: bool = False,
+              solver: Callable[[Problem], object] | str | None = None, strategy: Callable[[Search], object] | str | None = None,
+              progress: Callable[[int, float, float], object] | None = None, raises: bool = True) -> Equilibrium:
         """The equilibrium.
 
         start: an Equilibrium, or positions of all nodes [m], to search near.
@@ -167,41 +178,42 @@ class Scene:
         points = getattr(start, "points", start)
         points = [] if points is None else [float(c) for row in points for c in row]
         answer, ended_by = scene._opened.solve(points, mesh_of and mesh_of._answer, bool(error), progress)
-        result = None if answer is None else Equilibrium(scene, answer)
         if isinstance(ended_by, KeyboardInterrupt):
-            raise Interrupted(result) from ended_by
+            raise Interrupted(answer and Equilibrium(scene, answer)) from ended_by
         if ended_by is not None:
             raise ended_by
+        result = Equilibrium(scene, answer)
         if raises and result.status != "converged":
             raise NotConverged(result)
         return result
 
-    def simulate(self, times=None, output=None, progress=None):
+    def simulate(self, times: Iterable[float] | None = None, output: Path | str | None = None,
+                 progress: Callable[[float, float], object] | None = None) -> Stored:
         """The motion of a scene with `analysis.kind = "dynamic"`; see netloft.simulate()."""
         from .motion import simulate
 
         return simulate(self, times, output, progress)
 
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
         return isinstance(other, Scene) and (self.file, self.changes) == (other.file, other.changes)
 
-    def __hash__(self):
+    def __hash__(self) -> int:
         return hash((self.file, self.changes))
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[Any, ...]:
         return _restore, (str(self.file), self.changes)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         changes = "".join(f"\n  {change}" for change in self.changes)
         return f"<netloft.Scene {self.file}{changes}>"
 
 
-def _restore(file, changes):
+def _restore(file: str, changes: tuple[str, ...]) -> Scene:
     scene = Scene(file)
     return Scene._of(scene._opened.with_(list(changes))) if changes else scene
 
 
-def library():
+def library() -> list[str]:
     """The scenes of the library that comes with the package, by the names that load() takes."""
     scenes = LIBRARY / "scenes"
     tables = {file: tomllib.loads(file.read_text(encoding="utf-8")) for file in sorted(scenes.rglob("*.toml"))}
@@ -210,7 +222,7 @@ def library():
             if file.resolve() not in included and not {"include", "parts", "gear"}.isdisjoint(table)]
 
 
-def load(name):
+def load(name: Path | str) -> Scene:
     """The scene in a file, or the one of that name in the library that comes with the package (library())."""
     path = Path(name)
     if not path.is_file() and (LIBRARY / "scenes" / path).is_file():

@@ -1,12 +1,28 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Solvers and strategies that are written in Python."""
 
+from __future__ import annotations
+
 import re
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any, TypeVar, overload
 
 from . import _netloft
+from ._netloft import Problem as Problem, Search as Search
+
+if TYPE_CHECKING:
+    from .result import Equilibrium
+    from .scene import Scene
+
+Solver = TypeVar("Solver", bound=Callable[[Problem], object])
+Strategy = TypeVar("Strategy", bound=Callable[[Search], object])
 
 
-def solver(function=None, *, name=None):
+@overload
+def solver(function: Solver) -> Solver: ...
+@overload
+def solver(function: None = None, *, name: str | None = None) -> Callable[[Solver], Solver]: ...
+def solver(function: Any = None, *, name: str | None = None) -> Any:
     """Makes a callable a solver, beside "newton" and the others.
 
     It is called with a Problem, whose `evaluate(u, tangent=True)` returns energy [J] and residual [N], whose
@@ -25,7 +41,11 @@ def solver(function=None, *, name=None):
     return _component(function, name, _netloft.add_solver)
 
 
-def strategy(function=None, *, name=None):
+@overload
+def strategy(function: Strategy) -> Strategy: ...
+@overload
+def strategy(function: None = None, *, name: str | None = None) -> Callable[[Strategy], Strategy]: ...
+def strategy(function: Any = None, *, name: str | None = None) -> Any:
     """Makes a callable a strategy, beside "auto" and the others: how an equilibrium is found, with solvers.
 
     It is called with a Search, whose `solve(u, solver=…, level=…, stiffness_cap=…, compression=…, current=…)`
@@ -42,7 +62,7 @@ def strategy(function=None, *, name=None):
     return _component(function, name, _netloft.add_strategy)
 
 
-def _component(function, name, add):
+def _component(function: Any, name: str | None, add: Callable[..., None]) -> Any:
     if function is None:
         return lambda f: _component(f, name, add)
     own = name or re.sub(r"[^a-z0-9]+", "_", function.__name__.lower()).strip("_")
@@ -51,17 +71,18 @@ def _component(function, name, add):
     return function
 
 
-def compare(scene, solvers, **options):
+def compare(scene: Scene, solvers: Iterable[Callable[[Problem], object] | str], **options: Any) -> dict[str, dict[str, Any]]:
     """Solves a scene by several solvers, each alone, and returns a dict by their names: status, iterations,
     factorisations, seconds, and the largest distance of a node from the first answer that converged [m].
     """
     import numpy
 
-    table, reference = {}, None
+    table: dict[str, dict[str, Any]] = {}
+    reference: Equilibrium | None = None
     for one in solvers:
-        name = getattr(one, "netloft_name", one)
+        name: str = one if isinstance(one, str) else getattr(one, "netloft_name")
         result = scene.solve(solver=name, raises=False, **options)
-        row = {"status": result.status, "reason": result.reason, "result": result}
+        row: dict[str, Any] = {"status": result.status, "reason": result.reason, "result": result}
         if reference is None and result.status == "converged":
             reference = result
         cost = result.to_dict()

@@ -1,15 +1,28 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Many solves of one scene."""
 
+from __future__ import annotations
+
 import itertools
 import multiprocessing
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ProcessPoolExecutor
+from typing import TYPE_CHECKING, Any
 
 from .errors import WrongInput
 from .names import Named
+from .quantity import Quantity
+
+if TYPE_CHECKING:
+    import xarray
+
+    from .scene import Scene
+
+Outcome = tuple[str, str, dict[str, Quantity]]  # status, reason, figures
+Row = tuple[dict[str, Any], str, str, dict[str, Quantity]]  # values, status, reason, figures
 
 
-def _solve_one(scene, changes, error):
+def _solve_one(scene: Scene, changes: dict[str, Any], error: bool) -> Outcome:
     try:
         result = scene.with_(changes).solve(error=error, raises=False)
     except WrongInput as wrong:
@@ -17,9 +30,10 @@ def _solve_one(scene, changes, error):
     return result.status, result.reason, dict(result.report)
 
 
-def _coordinate(values):
+def _coordinate(values: list[Any]) -> tuple[list[Any], str]:
     """The values of a variable as a coordinate: numbers with one unit ("2.5 kn" and 2.5), or texts."""
-    numbers, units = [], set()
+    numbers: list[Any] = []
+    units: set[str] = set()
     for value in values:
         number, _, unit = value.partition(" ") if isinstance(value, str) else (value, "", getattr(value, "unit", ""))
         try:
@@ -35,26 +49,28 @@ class Study:
     changing fastest; `failed` those without an equilibrium. `dims` are the dimensions of its points with their
     lengths: the variables of a grid, or "point" for a list."""
 
-    def __init__(self, scene, variables, dims, rows):
+    def __init__(self, scene: Scene, variables: dict[str, list[Any]], dims: dict[str, int], rows: list[Row]) -> None:
         self.scene, self.variables, self.dims, self.rows = scene, variables, dims, rows
 
     @property
-    def failed(self):
+    def failed(self) -> list[Row]:
+        """The rows of points without an equilibrium."""
         return [row for row in self.rows if row[1] != "converged"]
 
-    def to_xarray(self):
+    def to_xarray(self) -> xarray.Dataset:
         """An xarray.Dataset with a dimension for each variable and a variable for each figure; `status` has the
         outcomes. Figures of points without an equilibrium are NaN."""
         import numpy
         import xarray
 
         dims, shape = list(self.dims), list(self.dims.values())
-        known, status = {}, []
-        for values, outcome, _, figures in self.rows:
+        known: dict[str, Quantity] = {}
+        status = []
+        for _, outcome, _, figures in self.rows:
             status.append(outcome)
             for name, q in figures.items():
                 known.setdefault(name, q)
-        data = {"status": (dims, numpy.array(status).reshape(shape))}
+        data: dict[str, Any] = {"status": (dims, numpy.array(status).reshape(shape))}
         for name, q in known.items():
             column = [float(row[3][name]) if row[1] == "converged" and name in row[3] else numpy.nan for row in self.rows]
             data[name] = (dims, numpy.array(column).reshape(shape), {"units": q.unit, "long_name": q.doc})
@@ -64,24 +80,25 @@ class Study:
             coords[name] = (name if name in self.dims else "point", numbers, {"units": unit})
         return xarray.Dataset(data, coords=coords, attrs={"scene": str(self.scene.file), "changes": list(self.scene.changes)})
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         lines = Named("variable", {name: list(values) for name, values in self.variables.items()})
         return f"<netloft.Study of {len(self.rows)} points, {len(self.failed)} without an equilibrium>\n{lines!r}"
 
 
-def points(ranges, draws):
+def points(ranges: Mapping[str, tuple[Any, Any]], draws: Iterable[Iterable[float]]) -> list[dict[str, Any]]:
     """The points of a design in the unit cube, as study() takes them: `ranges` is {path: (low, high)}, numbers or
     texts with a unit, and `draws` has a row for each point and a column for each path, from 0 to 1."""
-    scaled = {}
+    scaled: dict[str, list[Any]] = {}
     for path, column in zip(ranges, zip(*draws, strict=True), strict=True):
-        (low, high), unit = _coordinate(ranges[path])
+        (low, high), unit = _coordinate(list(ranges[path]))
         if isinstance(low, str):
             raise ValueError(f"{path}: both ends of its range have to be numbers with the same unit")
         scaled[path] = [f"{low + (high - low) * float(x)!r} {unit}" if unit else low + (high - low) * float(x) for x in column]
     return [dict(zip(scaled, values)) for values in zip(*scaled.values())]
 
 
-def study(scene, variables, workers=1, error=False, progress=None):
+def study(scene: Scene, variables: Mapping[str, Iterable[Any]] | Iterable[Mapping[str, Any]], workers: int = 1, error: bool = False,
+          progress: Callable[[int, int], object] | None = None) -> Study:
     """Solves a scene with other values.
 
     variables: a grid, {"tow.speed": ["2 kn", "3 kn"], "gear.nodes": [500, 1000]}, of which all combinations are
@@ -91,22 +108,22 @@ def study(scene, variables, workers=1, error=False, progress=None):
     Each point is solved alone, from the sketch, so that results depend neither on the others nor on the number
     of workers.
     """
-    if isinstance(variables, dict):
-        variables = {path: list(values) for path, values in variables.items()}
-        design = [dict(zip(variables, values)) for values in itertools.product(*variables.values())]
-        dims = {path: len(values) for path, values in variables.items()}
+    if isinstance(variables, Mapping):
+        columns = {path: list(values) for path, values in variables.items()}
+        design = [dict(zip(columns, values)) for values in itertools.product(*columns.values())]
+        dims = {path: len(values) for path, values in columns.items()}
     else:
         design = [dict(point) for point in variables]
         if any(point.keys() != design[0].keys() for point in design):
             raise ValueError("all points of a study need values of the same variables")
-        variables = {path: [point[path] for point in design] for path in (design[0] if design else ())}
+        columns = {path: [point[path] for point in design] for path in (design[0] if design else ())}
         dims = {"point": len(design)}
-    for path, values in variables.items():
+    for path, values in columns.items():
         if not values:
             raise ValueError(f"{path} has no values")
-    rows = []
+    rows: list[Row] = []
 
-    def keep(point, outcome):
+    def keep(point: dict[str, Any], outcome: Outcome) -> None:
         rows.append((point, *outcome))
         if progress is not None:
             progress(len(rows), len(design))
@@ -119,4 +136,4 @@ def study(scene, variables, workers=1, error=False, progress=None):
             outcomes = pool.map(_solve_one, itertools.repeat(scene), design, itertools.repeat(error))
             for point, outcome in zip(design, outcomes):
                 keep(point, outcome)
-    return Study(scene, variables, dims, rows)
+    return Study(scene, columns, dims, rows)

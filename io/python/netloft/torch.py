@@ -7,12 +7,18 @@
     height(x).sum().backward()
 """
 
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
 import torch
 
 from .bridge import Figures
+from .scene import Scene
 
 
-def figures(scene, numbers, figures):
+def figures(scene: Scene, numbers: Iterable[str], figures: Iterable[str]) -> Callable[[Any], Any]:
     """A function of a tensor of numbers, in the units of the scene, that returns a tensor of figures.
 
     Its argument may also be a dict {number: tensor without dimensions}. Derivatives are those of Equilibrium.vjp()
@@ -20,7 +26,7 @@ def figures(scene, numbers, figures):
     """
     of = Figures(scene, numbers, figures)
 
-    def call(numbers):
+    def call(numbers: Any) -> Any:
         if isinstance(numbers, dict):
             numbers = torch.stack([torch.as_tensor(x, dtype=torch.float64) for x in of.vector(numbers)])
         return _Solve.apply(numbers, of)
@@ -30,15 +36,15 @@ def figures(scene, numbers, figures):
 
 class _Solve(torch.autograd.Function):
     @staticmethod
-    def forward(context, numbers, of):
+    def forward(context: Any, numbers: Any, of: Figures) -> Any:
         context.at, context.of = numbers.tolist(), of
         return numbers.new_tensor(of.values(context.at))
 
     @staticmethod
     @torch.autograd.function.once_differentiable
-    def backward(context, weights):
+    def backward(context: Any, weights: Any) -> Any:
         return weights.new_tensor(context.of.vjp(context.at, weights.tolist())), None
 
     @staticmethod
-    def jvp(context, changes, _):
+    def jvp(context: Any, changes: Any, _: None) -> Any:
         return changes.new_tensor(context.of.jvp(context.at, changes.tolist()))

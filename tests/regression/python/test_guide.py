@@ -1,24 +1,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every block of PYTHON.md runs, in its order, in an empty folder."""
 import os
-import re
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
+from blocks import FOLDER, blocks
+
 sys.path.append(str(Path(__file__).parent / "stubs"))  # of libraries that are not installed
-PAGE = Path(os.environ["NETLOFT_SOURCE_DIR"]) / "io/python/PYTHON.md"
+PAGE = FOLDER / "PYTHON.md"
 
 
 class TheGuide(unittest.TestCase):
     def test_runs(self):
-        blocks = re.findall(r"^```python\n(.*?)^```", PAGE.read_text(), re.M | re.S)
-        self.assertGreater(len(blocks), 6)
+        code = blocks(PAGE)
+        self.assertGreater(len(code), 6)
         names = {}
         with tempfile.TemporaryDirectory() as folder:
             os.chdir(folder)
-            for block in blocks:
+            for block in code:
                 with self.subTest(block=block.splitlines()[0]):
                     exec(compile(block, str(PAGE), "exec"), names)
             written = {path.name for path in Path(folder).iterdir()}

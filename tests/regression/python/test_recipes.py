@@ -1,24 +1,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every block of RECIPES.md runs where its packages are installed, and the surrogates estimate what solves give."""
 import importlib.util
-import os
-import re
 import sys
 import unittest
-from pathlib import Path
 
 import numpy
 
-PAGE = Path(os.environ["NETLOFT_SOURCE_DIR"]) / "io/python/RECIPES.md"
+from blocks import FOLDER, blocks
+
+PAGE = FOLDER / "RECIPES.md"
 WANTED = ("sklearn", "openturns")
 
 
 class TheRecipes(unittest.TestCase):
     def test_run(self):
         names, missing = {}, [name for name in WANTED if importlib.util.find_spec(name) is None]
-        blocks = re.findall(r"^```python\n(.*?)^```", PAGE.read_text(), re.M | re.S)
-        self.assertGreater(len(blocks), 4)
-        for block in blocks:
+        code = blocks(PAGE)
+        self.assertGreater(len(code), 4)
+        for block in code:
             needs = [name for name in missing if name in block or ("kriging" in block and name == "sklearn")]
             if not needs:
                 exec(compile(block, str(PAGE), "exec"), names)
