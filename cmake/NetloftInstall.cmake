@@ -62,4 +62,7 @@ foreach(archive libexpat1-dev libhdf5-dev libmumps-seq-dev libopenblas-serial-de
   endif()
 endforeach()
 install(FILES CHANGELOG.md DESTINATION share/doc/netloft)
+if(NETLOFT_PYTHON)
+  install(FILES io/python/PYTHON.md io/python/RECIPES.md DESTINATION share/doc/netloft COMPONENT python)
+endif()
 install(FILES io/scenes/SCENE.md io/gears/GEAR.md io/formats/hdf5/LAYOUT.md DESTINATION share/doc/netloft)

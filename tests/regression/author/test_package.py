@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The Debian package: what is in it, what it depends on, and the hour of an author who has unpacked it and nothing else."""
+import os
 import subprocess
 import sys
 import tempfile
@@ -53,6 +54,18 @@ class Package(WithInstallation):
         for file in self.installed.prefix.rglob("*"):
             if file.is_file() and file.suffix in (".cmake", ".map", ".md", ".html", ".toml", ".json", ".h", ".hpp"):
                 self.assertNotIn(str(BUILD).encode(), file.read_bytes(), file)
+
+    def test_has_a_package_of_python_beside_it(self):
+        package = next(self.installed.package.parent.glob("python3-netloft_*.deb"))
+        depends = subprocess.run(["dpkg-deb", "-f", package, "Depends"], check=True, capture_output=True, text=True).stdout
+        for name in ("netloft", "python3-numpy", "libc6 (>="):
+            self.assertIn(name, depends)
+        subprocess.run(["dpkg", "-x", package, self.installed.prefix.parent], check=True)
+        code = "import netloft; print(netloft.__file__, netloft.load('hanging-rope.toml').solve().status)"
+        said = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True,
+                              env={**os.environ, "PYTHONPATH": str(self.installed.prefix / "lib/python3/dist-packages")}).stdout
+        self.assertTrue(said.startswith(str(self.installed.prefix)), said)
+        self.assertTrue(said.rstrip().endswith("converged"), said)
 
     def test_an_author_needs_nothing_else(self):
         self.sh("netloft new element otter")
