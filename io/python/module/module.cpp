@@ -53,6 +53,7 @@ PYBIND11_MODULE(_netloft, module) {
   bind_problem(module);
   bind_search(module);
   bind_elements(module);
+  bind_searches(module);
   program::find_plugins({}, registry());
   module.def("add_plugins", [](const std::string& folder) {
     const ReadingLock lock;

@@ -11,5 +11,6 @@ void bind_stored(pybind11::module_& module);
 void bind_problem(pybind11::module_& module);
 void bind_search(pybind11::module_& module);
 void bind_elements(pybind11::module_& module);
+void bind_searches(pybind11::module_& module);
 
 }  // namespace netloft::python

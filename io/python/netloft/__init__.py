@@ -18,6 +18,7 @@ from .motion import Stored, read, simulate
 from .quantity import Quantity
 from .result import Equilibrium
 from .scene import Scene, library, load
+from .searches import Calibration, Optimum, calibrate, optimise
 from .solvers import Problem, Search, compare, solver, strategy
 from .study import Study, points, study
 
@@ -31,6 +32,6 @@ def add_plugins(folder: _Path | str) -> None:
     _netloft.add_plugins(str(_Path(folder).resolve()))
 
 
-__all__ = ["Equilibrium", "Interrupted", "NetloftError", "NotConverged", "Parameter", "Problem", "Quantity", "Refused", "Scene", "Search",
-           "Stored", "Study", "WrongInput", "add_plugins", "check", "compare", "element", "library", "load", "points", "read", "simulate",
-           "solver", "strategy", "study"]
+__all__ = ["Calibration", "Equilibrium", "Interrupted", "NetloftError", "NotConverged", "Optimum", "Parameter", "Problem", "Quantity", "Refused",
+           "Scene", "Search", "Stored", "Study", "WrongInput", "add_plugins", "calibrate", "check", "compare", "element", "library", "load",
+           "optimise", "points", "read", "simulate", "solver", "strategy", "study"]
