@@ -19,22 +19,12 @@ namespace netloft::program {
 
 namespace {
 
-void require_equilibrium(const scenes::LoadedScene& loaded) {
-  if (loaded.analysis.kind == AnalysisKind::dynamics)
-    throw UsageError{
-        "sensitivity asks for an equilibrium, but this scene is a motion; add --set analysis.kind=static"};
-  if (!loaded.scene.settings.empty())
-    throw UsageError{
-        "sensitivity keeps all numbers of the scene but one, and this scene finds a length by itself; leave "
-        "out ship.warp.tension"};
-}
-
 /// The sentence about an equilibrium that has no derivatives.
-int end_without_equilibrium(const SensitivityOptions& o, Terminal& terminal, const Solution& solution) {
+int end_without_equilibrium(const SensitivityOptions& o, Terminal& terminal, const Solution& solution,
+                            const std::string& why_not) {
   terminal.clear();
   if (o.json) print_line(studies::sensitivity_json({}, {}, name_of(solution.status)));
-  terminal.say(fmt::format("there are no derivatives, because the scene ended {}: {}",
-                           name_of(solution.status), solution.reason));
+  terminal.say(why_not);
   return solution.status == SolveStatus::interrupted ? kInterrupted : kNotConverged;
 }
 
@@ -75,14 +65,15 @@ int run_sensitivity(const SensitivityOptions& o) {
   Session session(o);
   if (const int code = session.open(); code != kDone) return code;
   runs::PreparedScene& scene = session.scene();
-  require_equilibrium(scene.loaded());
+  if (const auto why_not = studies::why_no_derivatives(scene.loaded())) throw UsageError{*why_not};
   require_place(o.output, paths_of(scene.loaded()));
   const auto numbers = studies::chosen_numbers(scene, o.to);
   catch_interrupts();
   Terminal& terminal = session.terminal();
   Watchdog watchdog(terminal, ending_with_a_sentence(terminal, "there are no derivatives yet"));
   const Solution solution = solve(scene, terminal, watchdog);
-  if (solution.status != SolveStatus::converged) return end_without_equilibrium(o, terminal, solution);
+  if (const auto why_not = studies::why_no_derivatives(solution))
+    return end_without_equilibrium(o, terminal, solution, *why_not);
   const results::Result result = results::make_result(scene.loaded(), scene.assembler(), solution);
   studies::chosen_figures(result, o.of);  // refuses unknown names before the work begins
   const auto show = [&](std::size_t done, const std::string& path) {

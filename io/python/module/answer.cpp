@@ -125,14 +125,9 @@ TangentMatrix Answer::tangent() {
 
 studies::Sensitivities Answer::sensitivities(const std::vector<std::string>& paths, bool with_long_step,
                                              const std::atomic<bool>& interrupt) {
-  if (solution_.status != SolveStatus::converged)
-    throw std::invalid_argument("there are no derivatives, because the scene ended " + result_.outcome +
-                                ": " + result_.sentence);
-  if (!scene_->loaded().scene.settings.empty())
-    throw std::invalid_argument(
-        "derivatives keep all numbers of the scene but one, and this scene finds a length by itself; leave "
-        "out "
-        "ship.warp.tension");
+  for (const auto& why_not :
+       {studies::why_no_derivatives(solution_), studies::why_no_derivatives(scene_->loaded())})
+    if (why_not) throw std::invalid_argument(*why_not);
   const ReadingLock lock;
   const auto numbers = studies::chosen_numbers(*scene_, paths);
   return studies::find_sensitivities(

@@ -51,4 +51,13 @@ std::string unit_text(const std::string& unit) {
   return unit == "1" ? "" : unit == "m2" ? "m²" : unit == "m3" ? "m³" : unit;
 }
 
+std::string text_with_unit(const std::string& text, const std::string& unit) {
+  return unit.empty() || unit == "1" ? text : text + " " + unit;
+}
+
+std::string unit_of_ratio(const std::string& figure, const std::string& number) {
+  return text_with_unit(figure.empty() ? "1" : figure,
+                        number.empty() || number == "1" ? "" : "per " + number);
+}
+
 }  // namespace netloft::results

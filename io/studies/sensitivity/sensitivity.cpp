@@ -35,6 +35,9 @@ constexpr double kLongStep = 1000;
 /// d²x = dx/2s, the correction is ½ (2s)² d²x = s dx. Further corrections grow, because no equilibrium is
 /// there. A correction of less than half of that is that of no fold.
 constexpr double kTurnOfFold = 0.25;
+/// A number whose effect is a smaller fraction of the largest effect on a figure may be rounding, and does
+/// not count.
+constexpr double kNoEffect = 1e-6;
 
 std::vector<results::NamedScalar> joined(std::initializer_list<std::vector<results::NamedScalar>> lists) {
   std::vector<results::NamedScalar> all;
@@ -241,6 +244,22 @@ bool is_in_group(const std::string& name, const std::string& group) {
 
 }  // namespace
 
+std::optional<std::string> why_no_derivatives(const scenes::LoadedScene& loaded) {
+  if (loaded.analysis.kind == AnalysisKind::dynamics)
+    return "derivatives are those of an equilibrium, but this scene is a motion; add --set "
+           "analysis.kind=static";
+  if (!loaded.scene.settings.empty())
+    return "derivatives keep all numbers of the scene but one, and this scene finds a length by itself; "
+           "leave out ship.warp.tension";
+  return std::nullopt;
+}
+
+std::optional<std::string> why_no_derivatives(const Solution& solution) {
+  if (solution.status == SolveStatus::converged) return std::nullopt;
+  return fmt::format("there are no derivatives, because the scene ended {}: {}", name_of(solution.status),
+                     solution.reason);
+}
+
 Sensitivities find_sensitivities(runs::PreparedScene& scene, const Solution& solution,
                                  const SensitivityRequest& request) {
   Sensitivity at(scene, solution, request);
@@ -310,6 +329,17 @@ double typical_change(const SceneNumber& number) {
 
 double typical_effect(const NumberEffect& effect, std::size_t f) {
   return typical_change(effect.number) * effect.per_unit[f];
+}
+
+std::vector<const NumberEffect*> ranked_effects(const Sensitivities& found, std::size_t f) {
+  const auto size_of = [f](const NumberEffect* effect) { return std::abs(typical_effect(*effect, f)); };
+  std::vector<const NumberEffect*> effects;
+  for (const NumberEffect& effect : found.effects)
+    if (effect.why_not.empty() && size_of(&effect) > 0) effects.push_back(&effect);
+  std::ranges::stable_sort(effects, std::ranges::greater{}, size_of);
+  while (!effects.empty() && size_of(effects.back()) < kNoEffect * size_of(effects.front()))
+    effects.pop_back();
+  return effects;
 }
 
 double propagated_deviation(const Sensitivities& found, std::size_t f) {

@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,11 @@ struct SensitivityRequest {
   std::function<void(std::size_t done, const std::string& path)> on_number = {};
   bool with_reach = false;  // find what ends the validity of each derivative: switches and folds
 };
+
+/// Why a scene has no derivatives: it is a motion, or finds a length by itself. nullopt if it can have some.
+std::optional<std::string> why_no_derivatives(const scenes::LoadedScene& loaded);
+/// The same for the end of its solve: it has none unless the solve converged.
+std::optional<std::string> why_no_derivatives(const Solution& solution);
 
 /// The derivatives of all figures g(x, p) at the equilibrium x of a scene, where the residual r(x, p) is
 /// zero:
@@ -94,6 +100,10 @@ double typical_change(const SceneNumber& number);
 
 /// Change of figure `f` when the number increases by its typical change.
 double typical_effect(const NumberEffect& effect, std::size_t f);
+
+/// The effects on figure `f`, the largest first, by their typical_effect(). Numbers without an effect are
+/// left out.
+std::vector<const NumberEffect*> ranked_effects(const Sensitivities& found, std::size_t f);
 
 /// The standard deviation of figure `f` due to those of the numbers, if these are independent, to first
 /// order:

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/results/text/measured.hpp"
 #include "io/studies/sensitivity/sensitivity.hpp"
 
 #include <fmt/format.h>
@@ -13,24 +14,11 @@ namespace netloft::studies {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using results::text_with_unit, results::unit_of_ratio;
 
 // Rows of the table of one figure: numbers with the largest effects. Paths of numbers that are listed for
 // each reason why they have no derivatives.
 constexpr std::size_t kRows = 8, kPaths = 3;
-// A number whose effect is a smaller fraction of the largest effect on a figure is not listed: it may be
-// rounding.
-constexpr double kNoEffect = 1e-6;
-
-std::string text_with_unit(const std::string& text, const std::string& unit) {
-  return unit.empty() || unit == "1" ? text : text + " " + unit;
-}
-
-std::string unit_of_ratio(const std::string& figure, const std::string& number) {
-  const std::string above = figure.empty() ? "1" : figure;
-  return number.empty() || number == "1" ? above : above + " per " + number;
-}
-
-double size_of(const NumberEffect& effect, std::size_t f) { return std::abs(typical_effect(effect, f)); }
 
 bool has_deviations(const Sensitivities& found) {
   return std::ranges::any_of(found.effects, [](const NumberEffect& e) { return e.number.deviation > 0; });
@@ -42,18 +30,6 @@ std::string value_of(const SceneNumber& number) {
   return number.deviation > 0
              ? text_with_unit(value + fmt::format(" ± {:.2g}", number.deviation), number.unit)
              : text_with_unit(value, number.unit);
-}
-
-/// The effects on a figure, the largest first.
-std::vector<const NumberEffect*> ranked(const Sensitivities& found, std::size_t f) {
-  std::vector<const NumberEffect*> effects;
-  for (const NumberEffect& effect : found.effects)
-    if (effect.why_not.empty() && size_of(effect, f) > 0) effects.push_back(&effect);
-  std::ranges::stable_sort(effects, std::ranges::greater{},
-                           [&](const NumberEffect* effect) { return size_of(*effect, f); });
-  while (!effects.empty() && size_of(*effects.back(), f) < kNoEffect * size_of(*effects.front(), f))
-    effects.pop_back();
-  return effects;
 }
 
 std::string row_of(const Sensitivities& found, const NumberEffect& effect, std::size_t f) {
@@ -76,7 +52,7 @@ std::string table_of(const Sensitivities& found, std::size_t f) {
                   text_with_unit(fmt::format("{:.4g}", figure.value) +
                                      (deviation > 0 ? fmt::format(" ± {:.2g}", deviation) : std::string()),
                                  figure.unit));
-  const auto effects = ranked(found, f);
+  const auto effects = ranked_effects(found, f);
   if (effects.empty()) return text + "  depends on none of these numbers\n";
   text += fmt::format("  {:<44} {:>18} {:>16} {:>10}   {}\n", "number", "value",
                       has_deviations(found) ? "a deviation more" : "1 % more of it", "", "one unit more");
@@ -178,7 +154,7 @@ formats::BarChart sensitivity_bars(const Sensitivities& found, const std::vector
     const results::NamedScalar& figure = found.figures[f];
     if (figure.value == 0 || !std::isfinite(figure.value)) continue;
     auto& group = chart.groups.emplace_back(formats::BarChart::Group{figure.name, {}});
-    for (const NumberEffect* effect : ranked(found, f)) {
+    for (const NumberEffect* effect : ranked_effects(found, f)) {
       if (group.rows.size() == kRows) break;
       const double percent = 100 * typical_effect(*effect, f) / std::abs(figure.value);
       group.rows.push_back({effect->number.path, {{percent, 0}}});

@@ -172,7 +172,7 @@ ALL = [
         ("netloft sensitivity $panel --solver central-difference --set analysis.max_iterations=3", 3,
          "there are no derivatives, because the scene ended not converged"),
         ("netloft sensitivity $sea --set 'analysis.kind=\"dynamic\"' --set analysis.duration=2", 2,
-         "sensitivity asks for an equilibrium, but this scene is a motion"),
+         "derivatives are those of an equilibrium, but this scene is a motion; add --set analysis.kind=static"),
         ("netloft optimise o.toml", 2, 'the scene does not report a figure "results/lowst_z" … did you mean "results/lowest_z"?',
          {"prepare": "optimum results/lowst_z m > o.toml", "holds": "test ! -e o.optimum"}),
         ("netloft optimise o.toml", 2, 'results/lowest_z is a length in m, which "N" cannot express',
