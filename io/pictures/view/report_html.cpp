@@ -126,6 +126,7 @@ std::string tables_html(const std::vector<results::FigureTable>& tables) {
     std::string title = one.title == "bodies" ? "boards and other bodies" : one.title;
     title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
     html += heading(in_html(title).c_str()) + table.finish();
+    if (!one.note.empty()) html += paragraph(one.note + ".");
   }
   return html;
 }

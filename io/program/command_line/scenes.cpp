@@ -32,6 +32,8 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
   run.add_flag("--error", o.error,
                "print the errors of the results: that of the solver, and that of the mesh, found by solving "
                "on other meshes");
+  run.add_flag("--sensitivities", o.sensitivities,
+               "print the numbers of the scene that each key figure depends on most, by their derivatives");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "io/program/session/memory_room.hpp"
 #include "io/results/file/provenance.hpp"
 #include "io/results/file/start_from.hpp"
+#include "io/studies/sensitivity/sensitivity.hpp"
 
 namespace netloft::program {
 
@@ -36,6 +37,9 @@ int run_command(const RunOptions& options) {
   Session session(options);
   if (const int code = session.open(); code != kDone) return code;
   runs::PreparedScene& scene = session.scene();
+  if (options.sensitivities)
+    if (const auto why_not = studies::why_no_derivatives(scene.loaded()))
+      throw UsageError{"--sensitivities: " + *why_not};
   context.plugins = scene.registry().opened();
   context.plan_text = results::plan_text(scene.plan(), plan_extras(scene));
   check_memory(session);

@@ -6,9 +6,11 @@
 #include "io/results/file/write_result.hpp"
 #include "io/runs/equilibrium.hpp"
 #include "io/studies/compare/mesh_error.hpp"
+#include "io/studies/sensitivity/key_sensitivities.hpp"
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 #include <system_error>
 
@@ -74,16 +76,17 @@ class EquilibriumRun {
     Watchdog watchdog(terminal_, [&](const Overdue& overdue) { return end_early(overdue); });
     const auto on_budget = [&](double seconds) { watchdog.allow(seconds); };
     solve(start, on_budget);
-    if (!options_.error) begin_writing(watchdog);
+    const bool goes_on = options_.error || options_.sensitivities;
+    if (!goes_on) begin_writing(watchdog);
     results::Result result = results::make_result(scene_.loaded(), scene_.assembler(), solution_);
-    if (options_.error) {
+    if (options_.error)
       studies::find_mesh_errors(scene_.source(), scene_.registry(), scene_, solution_, levels_,
                                 {.interrupt = &interrupt_flag(), .on_budget = on_budget}, result);
-      begin_writing(watchdog);
-    }
+    if (options_.sensitivities) find_sensitivities(watchdog, result);
+    if (goes_on) begin_writing(watchdog);
     context_.plugins = scene_.registry().opened();
     finish(scene_.assembler(), std::move(result), [&] { watchdog.end_writing(); });
-    return options_.error && interrupt_flag() ? kInterrupted : exit_code(solution_.status);
+    return goes_on && interrupt_flag() ? kInterrupted : exit_code(solution_.status);
   }
 
  private:
@@ -96,6 +99,14 @@ class EquilibriumRun {
     if (options_.stages) keep_stages(scene_.assembler(), stages_, watch);
     solution_ =
         start ? runs::find_equilibrium_near(scene_, *start, watch) : runs::find_equilibrium(scene_, watch);
+  }
+
+  void find_sensitivities(Watchdog& watchdog, results::Result& result) {
+    watchdog.allow(std::numeric_limits<double>::infinity());  // the time limit of the scene is for solves
+    const auto show = [&](std::size_t done, std::size_t all, const std::string& path) {
+      terminal_.progress_in_steps("numbers", done, all, path);
+    };
+    studies::find_key_sensitivities(scene_, solution_, &interrupt_flag(), show, result);
   }
 
   void begin_writing(Watchdog& watchdog) {

@@ -11,6 +11,7 @@ struct RunOptions : MethodOptions {
   std::string start_from;          // option --start-from RESULT.hdf
   bool stages = false;             // option --stages
   bool error = false;              // option --error
+  bool sensitivities = false;      // option --sensitivities
   std::vector<std::string> words;  // the command line, for the result file
 };
 

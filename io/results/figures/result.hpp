@@ -128,6 +128,20 @@ struct Motion {
   std::map<std::string, double> energies;    // energies at the last output [J]
 };
 
+/// The numbers of the scene on which the key figures depend most.
+struct KeySensitivities {
+  struct Row {
+    std::string figure, figure_unit;  // a key figure (key_figures.hpp), and its unit
+    std::string path, unit;           // the number as `--set` names it, and its unit as written; empty: none
+    double value = 0;                 // the number, in its unit
+    double derivative = 0;            // of the figure with respect to the number, in their units
+    /// Change of the figure when the number grows by one percent of its size, in the unit of the figure.
+    double effect() const { return 0.01 * std::abs(value) * derivative; }
+  };
+  std::string note;       // how many numbers were examined, or why there are no rows
+  std::vector<Row> rows;  // figures in the order of key_figures(), each with the largest effect first
+};
+
 /// The result of a run: the data for all its reports, pages and comparisons. make_result() or run_motion()
 /// makes it; a file stores it (io/formats/hdf5/LAYOUT.md), and read_result() reads it. Positions and fields
 /// are in the file only (StoredShape).
@@ -151,9 +165,10 @@ struct Result {
   std::array<double, 3> balance{};  // sum of all forces on the gear, holds included [N]
   // Largest residual and largest load of a node [N].
   double residual = NamedScalar::kUnknown, largest_load = NamedScalar::kUnknown;
-  double energy = NamedScalar::kUnknown;  // energy of the forces that have one [J]
-  std::optional<FoundShapes> shapes;      // nullopt: there was no search for other equilibria
-  std::optional<Swing> swing;             // nullopt: no motion grows
+  double energy = NamedScalar::kUnknown;          // energy of the forces that have one [J]
+  std::optional<FoundShapes> shapes;              // nullopt: there was no search for other equilibria
+  std::optional<Swing> swing;                     // nullopt: no motion grows
+  std::optional<KeySensitivities> sensitivities;  // nullopt: not requested
   std::vector<Material> materials;
   std::int64_t unknowns = 0;
   double work = 0;  // work in the units of framework/balance/work.hpp

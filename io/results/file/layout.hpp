@@ -191,6 +191,22 @@ void visit_others(File&& file, AnyResult& r) {
   });
 }
 
+template <class File, class AnyResult>
+void visit_sensitivities(File&& file, AnyResult& r) {
+  file.sometimes("key_sensitivities", r.sensitivities, [&](auto& s) {
+    using Row = KeySensitivities::Row;
+    file.text("key_sensitivities/note", s.note, "how many numbers were examined, or why there are no rows");
+    file.names("key_sensitivities/figure", s.rows, &Row::figure,
+               "a key figure, and a number that it depends on");
+    file.names("key_sensitivities/figure_unit", s.rows, &Row::figure_unit);
+    file.names("key_sensitivities/path", s.rows, &Row::path, "the number as --set names it");
+    file.names("key_sensitivities/unit", s.rows, &Row::unit, "as written in the scene");
+    file.column("key_sensitivities/value", s.rows, &Row::value, "unit");
+    file.column("key_sensitivities/derivative", s.rows, &Row::derivative, "figure_unit per unit",
+                "of the figure with respect to the number");
+  });
+}
+
 /// Visits the members that are known when a run has ended, except named numbers and forces.
 template <class File, class AnyResult>
 void visit_ending(File&& file, AnyResult& r) {
@@ -214,6 +230,7 @@ void visit_ending(File&& file, AnyResult& r) {
   file.known("errors/nodes", r.node_error, "m",
              "estimated error: largest nodal move of the next Newton step");
   visit_others(file, r);
+  visit_sensitivities(file, r);
 }
 
 /// Errors and ranges of the number `s`; `below` is "gear/" for a figure of a gear, else empty.

@@ -109,6 +109,7 @@ void write(const FigureTable& table, Out out) {
     fmt::format_to(out, "    {:<{}}", row.name, name);
     cells(row.cells);
   }
+  if (!table.note.empty()) fmt::format_to(out, "    {}\n", table.note);
 }
 
 /// Adds a table of drag and weight by kind, or by part.

@@ -15,6 +15,7 @@ struct FigureTable {
   std::vector<std::string> headings;  // headings of the cells
   std::vector<Row> rows;
   bool is_for_deck = false;  // boards and warps: what a skipper reads first
+  std::string note = {};     // a line below the rows
 };
 
 /// A figure that a report shows first, in the unit that is usual in the trade.

@@ -66,6 +66,21 @@ Json swing_json(const Result& result) {
           {"per_metre", per_metre}};
 }
 
+/// The largest sensitivities of the key figures; null if they were not requested.
+Json sensitivities_json(const std::optional<KeySensitivities>& all) {
+  if (!all) return nullptr;
+  Json rows = Json::array();
+  for (const auto& row : all->rows)
+    rows.push_back({{"figure", row.figure},
+                    {"path", row.path},
+                    {"value", row.value},
+                    {"unit", row.unit},
+                    {"derivative", row.derivative},
+                    {"effect", row.effect()},
+                    {"effect_unit", row.figure_unit}});
+  return {{"note", all->note}, {"rows", rows}};
+}
+
 Json seconds_json(const Result& r) {
   const Statistics& s = r.statistics;
   return {{"reading", r.reading_seconds},
@@ -212,6 +227,7 @@ std::string result_json(const Result& r) {
                {"errors", errors_json(r.scalars)},
                {"spread", spread_json(r.scalars)},
                {"swing", swing_json(r)},
+               {"sensitivities", sensitivities_json(r.sensitivities)},
                {"mesh_note", or_null(r.mesh_note)},
                {"node_error", r.node_error},
                {"gear", gear_json(r)},

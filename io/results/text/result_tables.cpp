@@ -47,6 +47,30 @@ void add_swing(const Result& result, std::vector<FigureTable>& tables) {
       tables);
 }
 
+/// The change of a figure in percent of its value; "-" if that is not known or zero.
+std::string percent_text(const Result& result, const KeySensitivities::Row& row) {
+  const NamedScalar* figure = find_scalar(result.scalars, row.figure);
+  if (!figure) figure = find_scalar(result.figures, row.figure);
+  return figure && figure->value != 0 ? fmt::format("{:+.2g} %", 100 * row.effect() / std::abs(figure->value))
+                                      : "-";
+}
+
+void add_sensitivities(const Result& result, std::vector<FigureTable>& tables) {
+  if (!result.sensitivities) return;
+  FigureTable table{"depends most on", {}, {}, false, result.sensitivities->note};
+  if (!result.sensitivities->rows.empty())
+    table.headings = {"number", "value", "1 % more of it", "", "one unit more"};
+  for (const auto& row : result.sensitivities->rows) {
+    const std::string unit = unit_text(row.figure_unit), name = principal_name(row.figure);
+    table.rows.push_back(
+        {name.empty() ? row.figure : name,
+         {row.path, text_with_unit(fmt::format("{:.4g}", row.value), row.unit),
+          text_with_unit(fmt::format("{:+.3g}", row.effect()), unit), percent_text(result, row),
+          text_with_unit(fmt::format("{:+.3g}", row.derivative), unit_of_ratio(unit, row.unit))}});
+  }
+  tables.push_back(std::move(table));
+}
+
 void add_forces(const Result& result, std::vector<FigureTable>& tables) {
   if (result.hold_forces.empty()) return;
   double largest = 0;
@@ -70,6 +94,7 @@ void add_forces(const Result& result, std::vector<FigureTable>& tables) {
 
 std::vector<FigureTable> report_tables(const Result& result) {
   std::vector<FigureTable> tables;
+  add_sensitivities(result, tables);
   add_spread(result, tables);
   add_swing(result, tables);
   add_gear_tables(result.figures, result.is_half(), tables);

@@ -173,6 +173,8 @@ ALL = [
          "there are no derivatives, because the scene ended not converged"),
         ("netloft sensitivity $sea --set 'analysis.kind=\"dynamic\"' --set analysis.duration=2", 2,
          "derivatives are those of an equilibrium, but this scene is a motion; add --set analysis.kind=static"),
+        ("netloft run $sea --sensitivities --set 'analysis.kind=\"dynamic\"' --set analysis.duration=2", 2,
+         "--sensitivities: derivatives are those of an equilibrium, but this scene is a motion"),
         ("netloft optimise o.toml", 2, 'the scene does not report a figure "results/lowst_z" … did you mean "results/lowest_z"?',
          {"prepare": "optimum results/lowst_z m > o.toml", "holds": "test ! -e o.optimum"}),
         ("netloft optimise o.toml", 2, 'results/lowest_z is a length in m, which "N" cannot express',

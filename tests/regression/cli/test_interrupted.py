@@ -128,6 +128,19 @@ class Interrupted(InFreshFolder):
         self.assertGreaterEqual(len(report["numbers"]), 1)
         self.assertIn("numbers were examined, and kept.svg is not written", err)
 
+    def test_a_run_is_written_without_sensitivities(self):
+        process = subprocess.Popen(self.command("run", AT_SEA, "--set", "gear.nodes=2000", "--sensitivities", "-o", "run.hdf", "--json"),
+                                   cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=self.environment())
+        self.addCleanup(process.kill)
+        while line := process.stderr.readline():
+            if b"numbers" in line:
+                break
+        process.send_signal(signal.SIGINT)
+        report = json.loads(process.communicate(timeout=100)[0])
+        self.assertEqual((process.returncode, report["status"]), (130, "converged"))
+        self.assertRegex(report["sensitivities"]["note"], r"^not known, because the run was interrupted: \d+ of \d+ numbers were examined$")
+        self.assertEqual(self.netloft("report", "run.hdf", "--json").json(), report)
+
     def test_a_suite_shows_the_cases_that_were_solved(self):
         out, err = self.interrupted("hard_cases", str(SOURCE / "tests/stability"), "--solver", "newton", "--size", "small", "-o", "kept.html",
                                     is_due=lambda line: line.strip())

@@ -18,12 +18,15 @@ FEW = ["gear.nodes=80"]
 SCENES = {  # name: scene, settings, more words, exit code
     "rope": ("hanging-rope.toml", ["parts.rope.cells=20"], [], 0),
     "rope-with-errors": ("hanging-rope.toml", ["parts.rope.cells=20"], ["--error", "--stages"], 0),
+    "rope-with-sensitivities": ("hanging-rope.toml", ["parts.rope.cells=20"], ["--sensitivities"], 0),
     "panel-not-converged": ("dead-weight-panel.toml", ["analysis.max_iterations=2", "parts.net.cells=[8,8]"], [], 3),
     "cod-end": ("codend-from-plan.toml", FEW, [], 0),
     "half": ("four-panel.toml", FEW, [], 0),
     "whole": ("four-panel.toml", [*FEW, "gear.extent=whole", 'hold=[{on="starboard-door"},{on="port-door"}]'], [], 0),
     "swinging": ("two-panel.toml", ["gear.nodes=150"], [], 3),
     "flume": ("83-112-flume-3.0kn.toml", FEW, [], 0),
+    "flume-with-sensitivities": ("83-112-flume-3.0kn.toml", FEW, ["--sensitivities"], 0),
+    "without-sensitivities": ("dead-weight-panel.toml", ["analysis.max_iterations=2", "parts.net.cells=[8,8]"], ["--sensitivities"], 3),
     "boards": ("pelagic-with-doors.toml", FEW, [], 0),
     "motion": ("dynamics/elastic-pendulum.toml", ["analysis.duration=0.2"], [], 0),
 }
@@ -53,8 +56,11 @@ class Results(InFreshFolder):
         data = json.loads(re.search(r'id="data">(.*?)</script>', view, re.S)[1])["results"][0]
         self.assertEqual({f["name"]: f["value"] for f in data["figures"]}, figures)
         self.check_text(text, report)
+        self.check_sensitivities(file, text, report)
         for page in (view, self.page("report", file, [], code)):
             self.check_page(page, text)
+            if report["sensitivities"]:
+                self.assertIn(f"<p>{html.escape(report['sensitivities']['note'], quote=False)}.</p>", page)
             self.assertFalse(re.search("<summary>/", page), "names a file by its folder on this machine")
         self.assertRegex(self.netloft("diff", file, file).out, r"none of \d+ numbers changed")
 
@@ -66,6 +72,25 @@ class Results(InFreshFolder):
             line = next(line for line in text.splitlines() if line.startswith(f"    {held['name']}, held "))
             for shown, force in zip(line.split()[-3:], held["force"]):
                 self.assertAlmostEqual(float(shown), force, delta=1e-5 * abs(force) + 1e-6)
+
+    def check_sensitivities(self, file, text, report):
+        """The table of the numbers that key figures depend on, in their order, and in the file."""
+        found = report["sensitivities"]
+        self.assertEqual("  depends most on" in text, found is not None)
+        if not found:
+            return
+        self.assertIn(f"\n    {found['note']}\n", text)
+        lines = re.findall(r"(?m)^    .*$", text[text.index("  depends most on"):text.index(found["note"])])[:-1]
+        self.assertEqual(len(lines), len(found["rows"]))
+        for line, row in zip(lines, found["rows"]):
+            self.assertIn(f" {row['path']} ", line)
+            self.assertIn(f" {row['effect']:+.3g} ", line)
+            self.assertAlmostEqual(row["effect"], 0.01 * abs(row["value"]) * row["derivative"], delta=1e-12 * abs(row["effect"]))
+        with h5py.File(self.folder / file) as f:
+            table = f["netloft/key_sensitivities"]
+            for name in ("figure", "path", "unit", "value", "derivative") if lines else ():
+                stored = [cell.decode() if isinstance(cell, bytes) else cell for cell in table[name][()]]
+                self.assertEqual(stored, [row[name] for row in found["rows"]], name)
 
     def check_page(self, page, text):
         """Every row of the tables of a report is a row of a table of the page, cell by cell."""

@@ -148,6 +148,30 @@ class Runs(InFreshFolder):
         self.assertEqual(motion.code, 2)
         self.assertIn("--error is for equilibria", motion.err)
 
+    def test_sensitivities_are_those_of_the_command_and_change_nothing_else(self):
+        scene = [str(SCENES / "hanging-rope.toml"), "--set", "parts.rope.cells=20"]
+        alone = self.netloft("run", *scene, "-o", "a.hdf", "--json").json()
+        found = self.netloft("run", *scene, "-o", "b.hdf", "--json", "--sensitivities").json()
+        self.assertIsNone(alone["sensitivities"])
+        self.assertEqual(alone["results"], found["results"])
+        np.testing.assert_array_equal(points(self.folder / "a.hdf"), points(self.folder / "b.hdf"))
+        all_of_them = self.netloft("sensitivity", *scene, "--json").json()
+        names = [figure["name"] for figure in all_of_them["figures"]]
+        derivatives = {number["path"]: dict(zip(names, number["per_unit"])) for number in all_of_them["numbers"] if "why_not" not in number}
+        self.assertGreater(len(found["sensitivities"]["rows"]), 3)
+        for row in found["sensitivities"]["rows"]:
+            self.assertEqual(row["derivative"], derivatives[row["path"]][row["figure"]])
+
+    def test_sensitivities_need_an_equilibrium(self):
+        for scene, words in (("dynamics/hanging-panel.toml", ()), ("pelagic-with-doors.toml", ("--set", "ship.warp.tension=6 kN"))):
+            ended = self.netloft("run", str(SCENES / scene), *words, "--sensitivities", "-o", "none.hdf")
+            self.assertEqual(ended.code, 2)
+            self.assertRegex(ended.err, "--sensitivities: derivatives (are those of an equilibrium|keep all numbers of the scene but one)")
+            self.assertFalse((self.folder / "none.hdf").exists())
+        ended = self.run_panel("--sensitivities", "--set", "analysis.max_iterations=2", "-o", "open.hdf")
+        self.assertEqual(ended.code, 3)
+        self.assertIn("there are no derivatives, because the scene ended not converged: ", ended.out)
+
     def test_json_says_what_a_script_needs(self):
         ended = self.run_panel("--json")
         report = ended.json()

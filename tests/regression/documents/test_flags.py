@@ -29,6 +29,7 @@ COMMANDS = (
     ("netloft --version", "netloft "),
     ("netloft --cflags", "-std="),
     (f"netloft run {ROPE} {SCENE} --strategy direct --solver newton --error -o error.hdf", '"converged"'),
+    (f"netloft run {ROPE} --sensitivities -o depends.hdf", "depends most on"),
     (f"netloft run {ROPE} --stages -o stages.hdf", "written to stages.hdf"),
     (f"netloft run {ROPE} --output rope.hdf", "written to rope.hdf"),
     (f"netloft run {ROPE} --set parts.rope.cells=20 -o coarse.hdf", "written to coarse.hdf"),

@@ -7,40 +7,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "io/results/figures/make_result.hpp"
-#include "io/runs/equilibrium.hpp"
-#include "tests/folders.hpp"
-#include "tests/verification/solving.hpp"
+#include "tests/unit/io/studies/sensitivity/at_rest.hpp"
 
 namespace netloft::studies {
 namespace {
 
-/// A scene of the library in equilibrium.
-struct AtRest {
-  AtRest(const std::string& file, const std::vector<std::string>& changes)
-      : scene({test::source_folder() + "/gear-library/scenes/" + file, changes, 1}, test::shipped_plugins()) {
-    EXPECT_EQ(scene.prepare(), runs::PreparedScene::State::ready) << scene.diagnostics().render(false);
-    solution = runs::find_equilibrium(scene);
-    EXPECT_EQ(solution.status, SolveStatus::converged) << solution.reason;
-  }
-  std::vector<SceneNumber> numbers(const std::vector<std::string>& paths) {
-    return chosen_numbers(scene, paths);
-  }
-  Sensitivities to(const std::vector<std::string>& paths, bool with_long_step = false) {
-    const auto result = results::make_result(scene.loaded(), scene.assembler(), solution);
-    return find_sensitivities(
-        scene, solution,
-        {.figures = all_figures(result), .numbers = numbers(paths), .with_long_step = with_long_step});
-  }
-  double figure(const std::string& name) {
-    const auto result = results::make_result(scene.loaded(), scene.assembler(), solution);
-    const auto* in_results = results::find_scalar(result.scalars, name);
-    return (in_results ? in_results : results::find_scalar(result.figures, name))->value;
-  }
-
-  runs::PreparedScene scene;
-  Solution solution;
-};
+using test::AtRest;
 
 std::size_t place_of(const Sensitivities& found, const std::string& figure) {
   for (std::size_t f = 0; f < found.figures.size(); ++f)
