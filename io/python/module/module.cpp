@@ -3,11 +3,13 @@
 
 #include "io/formats/files/installed_folder.hpp"
 #include "io/formats/hdf5/handle.hpp"
+#include "io/formats/units/units.hpp"
 #include "io/formats/work/long_work.hpp"
 #include "io/program/session/find_plugins.hpp"
 #include "io/python/module/objects.hpp"
 #include "io/python/module/opened_scene.hpp"
 #include "io/python/module/python_element.hpp"
+#include "io/python/module/python_plugin.hpp"
 #include "io/python/module/python_solver.hpp"
 #include "io/results/file/provenance.hpp"
 
@@ -41,6 +43,14 @@ void translate(std::exception_ptr thrown) {
   }
 }
 
+/// The number of a text with a unit, such as "0.1 m/s", in another unit. Throws std::invalid_argument.
+double in_unit(const std::string& text, const std::string& unit) {
+  const std::string wanted = unit.empty() ? "1" : unit;
+  const auto number = formats::to_si(text, wanted);
+  if (!number.ok()) throw std::invalid_argument(text + ": " + number.error);
+  return number.value;
+}
+
 }  // namespace
 
 // NOLINTNEXTLINE: the macro of pybind11 makes a function
@@ -59,6 +69,16 @@ PYBIND11_MODULE(_netloft, module) {
     const ReadingLock lock;
     registry().add_folder(folder);
   });
+  module.def("take_error", []() -> py::object {
+    try {
+      if (const auto error = take_error()) std::rethrow_exception(error);
+    } catch (py::error_already_set& e) {
+      return e.value();
+    } catch (...) {  // of C++: its sentence is in the reason
+    }
+    return py::none();
+  });
+  module.def("in_unit", &in_unit, py::arg("text"), py::arg("unit"));
   module.def("installed_folder", [] { return formats::installed_folder().string(); });
   module.def("add_solver", &add_solver, py::arg("name"), py::arg("doc"), py::arg("solve"));
   module.def("components", [] {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 #include <deque>
+#include <utility>
 
 namespace netloft::python {
 
@@ -70,6 +71,15 @@ void add_python_plugin(const std::string& name, const std::string& doc, py::func
                        std::vector<RealParameter> parameters,
                        const std::function<void(PythonPlugin&)>& describe) {
   const ReadingLock lock;
+  for (PythonPlugin& old : python_plugins()) {
+    if (old.name != name) continue;
+    PythonPlugin like;
+    describe(like);
+    if (old.element.stencil != 0 || like.element.stencil != 0 || old.solvers.count != like.solvers.count)
+      break;
+    old.call = std::move(call);
+    return;
+  }
   if (std::ranges::count(registry().available(), name))
     throw PluginRefused("\"" + name + "\" is the name of a plugin already; choose another one");
   PythonPlugin& plugin = python_plugins().emplace_back();
@@ -90,6 +100,19 @@ void add_python_plugin(const std::string& name, const std::string& doc, py::func
   registry().add_builtin(name, &last_plugin);
   registry().plugin(name);  // opens it while it is the last one
 }
+
+namespace {
+
+std::exception_ptr& last_error() {
+  static auto& error = *new std::exception_ptr;
+  return error;
+}
+
+}  // namespace
+
+void keep_error(std::exception_ptr error) { last_error() = std::move(error); }
+
+std::exception_ptr take_error() { return std::exchange(last_error(), nullptr); }
 
 PythonPlugin& plugin_of(const void* parameters) {
   std::int64_t number = 0;

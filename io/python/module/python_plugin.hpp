@@ -6,6 +6,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <exception>
 #include <functional>
 #include <string>
 #include <vector>
@@ -41,11 +42,17 @@ struct PythonPlugin {
   std::uint32_t parameter_bytes() const { return static_cast<std::uint32_t>(8 * rows.size()); }
 };
 
-/// Makes a plugin and opens it. `describe` describes its component. Throws PluginRefused if there is a plugin
-/// of that name already, or if the description is wrong.
+/// Makes a plugin and opens it. `describe` describes its component. If a callable of Python has that name
+/// already and the same kind of component, the new one takes its place. Throws PluginRefused if another
+/// plugin has that name, or if the description is wrong.
 void add_python_plugin(const std::string& name, const std::string& doc, pybind11::function call,
                        std::vector<RealParameter> parameters,
                        const std::function<void(PythonPlugin&)>& describe);
+
+/// Keeps what a component in Python has raised, or takes it away; nullptr: nothing. The caller holds the lock
+/// of the interpreter.
+void keep_error(std::exception_ptr error);
+std::exception_ptr take_error();
 
 /// The plugin to which the parameters of a component belong.
 PythonPlugin& plugin_of(const void* parameters);

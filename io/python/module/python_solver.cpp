@@ -74,7 +74,8 @@ bool factorise(PythonProblem& p, double shift, bool indefinite) {
 
 Vector solve_with_factor(PythonProblem& p, const Vector& rhs) {
   Vector x = zeros(p.size());
-  p.valid().solve(p.vector(rhs, "the right-hand side"), {x.mutable_data(), p.size()});
+  if (!p.valid().try_solve(p.vector(rhs, "the right-hand side"), {x.mutable_data(), p.size()}))
+    throw std::runtime_error("there is no factor; call factorise() first, after evaluate(u, tangent=True)");
   return x;
 }
 
@@ -102,6 +103,7 @@ int call_solver_in_python(const void* parameters, netloft_problem* problem) {
   try {
     plugin_of(parameters).call(seen);
   } catch (const std::exception& e) {
+    keep_error(std::current_exception());
     say(*problem, e.what());
     outcome = NETLOFT_SOLVER_ERROR;
   }

@@ -86,6 +86,7 @@ int call_strategy_in_python(const void* parameters, netloft_search* search) {
   try {
     plugin_of(parameters).call(seen);
   } catch (const std::exception& e) {
+    keep_error(std::current_exception());
     if (search->message) std::snprintf(search->message, search->message_size, "%s", e.what());
     status = NETLOFT_ERROR;
   }

@@ -67,9 +67,12 @@ py::array field_at(const StoredShape& shape, const std::string& name, std::int64
   return copy_of(shape.field(name, state_at(shape, state)));
 }
 
+// Pixels; the time of a picture grows with the square of its width, and is seconds at the most.
+constexpr std::size_t kLeastWidth = 100, kMostWidth = 5000;
+
 /// A picture of a state as SVG or PNG. Throws std::invalid_argument for an unknown field or view.
-py::bytes picture_of(const StoredShape& shape, bool is_png, const std::string& view, const std::string& field,
-                     std::int64_t state, std::size_t width) {
+std::string picture_of(const StoredShape& shape, bool is_png, const std::string& view,
+                       const std::string& field, std::int64_t state, std::size_t width) {
   pictures::SheetOptions options;
   const auto from = pictures::view_of(view);
   if (!from) throw std::invalid_argument("no view \"" + view + "\"; there are oblique, side, top, front");
@@ -77,6 +80,10 @@ py::bytes picture_of(const StoredShape& shape, bool is_png, const std::string& v
   options.colouring.field = field;
   options.state = state_at(shape, state);
   options.width = width;
+  if (width < kLeastWidth || width > kMostWidth)
+    throw std::invalid_argument("a picture is " + std::to_string(kLeastWidth) + " to " +
+                                std::to_string(kMostWidth) + " pixels wide");
+  const py::gil_scoped_release others_may_run;
   return is_png ? pictures::png_sheet(shape, options) : pictures::svg_sheet(shape, options);
 }
 
@@ -104,8 +111,12 @@ void bind_stored(py::module_& module) {
       .def("mesh", &mesh_of)
       .def("field", &field_at, py::arg("name"), py::arg("state") = -1)
       .def("series", &series_of)
-      .def("picture", &picture_of, py::arg("is_png"), py::arg("view"), py::arg("field"), py::arg("state"),
-           py::arg("width"));
+      .def(
+          "picture",
+          [](const StoredShape& s, bool is_png, const std::string& view, const std::string& field,
+             std::int64_t state,
+             std::size_t width) { return py::bytes(picture_of(s, is_png, view, field, state, width)); },
+          py::arg("is_png"), py::arg("view"), py::arg("field"), py::arg("state"), py::arg("width"));
   add_report(stored, [](const StoredShape& s) -> const results::Result& { return s.result; });
   module.def("page", &page_of, py::arg("shapes"), py::arg("most_states"));
 }

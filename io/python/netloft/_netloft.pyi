@@ -16,15 +16,16 @@ class Problem:
         """The number of unknowns."""
     @property
     def u(self) -> NDArray[Any]:
-        """The displacements to start from [m]."""
+        """A copy of the displacements to start from [m]."""
     def evaluate(self, u: ArrayLike, tangent: bool = False) -> tuple[float, NDArray[Any]]:
         """Energy [J] and residual [N]; with `tangent` K, too, for factorise(). Raises ValueError where forces are not defined."""
     def factorise(self, shift: float = 0.0, indefinite: bool = False) -> bool:
-        """Factorises K + shift I, as LLᵀ or, if it may be indefinite, as LDLᵀ; False: there is no such factor."""
+        """Factorises K of the last evaluate(u, tangent=True), plus shift times the linear stiffness; it must be positive definite
+        unless `indefinite`. False: there is no such factor."""
     def solve(self, rhs: ArrayLike) -> NDArray[Any]:
         """The solution by the last factor."""
     def multiply(self, x: ArrayLike, shift: float = 0.0) -> NDArray[Any]:
-        """(K + shift I) x."""
+        """K plus shift times the linear stiffness, times x."""
     def progress(self, u: ArrayLike, energy: float, residual: ArrayLike) -> bool:
         """Counts an iteration that ended at u; False: the search is over."""
 

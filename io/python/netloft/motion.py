@@ -89,7 +89,11 @@ class Stored(Report):
     def picture(self, path: Path | str, view: str = ..., field: str = ..., state: int = ..., width: int = ...) -> Path: ...
     def picture(self, path: Path | str | None = None, view: str = "oblique", field: str = "", state: int = -1, width: int = 1000) -> str | Path:
         """A picture of a state: written to path (.svg or .png), or returned as the text of an SVG."""
-        is_png = path is not None and str(path).endswith(".png")
+        if path is not None and Path(path).suffix not in (".svg", ".png"):
+            raise ValueError(f"{path}: a picture is written as .svg or .png")
+        is_png = path is not None and Path(path).suffix == ".png"
+        if field and field != "part" and field not in self.fields:
+            raise ValueError(unknown("field", field, list(self.fields)))
         content = self._answer.picture(is_png, view, field, state, width)
         if path is None:
             return content.decode()

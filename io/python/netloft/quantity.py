@@ -6,6 +6,8 @@ from __future__ import annotations
 import math
 from typing import Any, Self
 
+from . import _netloft
+
 
 class Quantity(float):
     """A float that knows its unit, its error and what it is.
@@ -41,9 +43,46 @@ class Quantity(float):
         unit = f" {self.unit}" if self.unit else ""
         if math.isnan(self.error):
             return f"{float(self):.6g}{unit}"
-        return f"{float(self):.6g} ± {self.error:.1g}{unit}"
+        return f"{float(self):.6g} ± {self.error:.1g}{unit}" + (" (solver)" if math.isnan(self.mesh_error) else "")
+
+    # A multiple keeps the unit, and so does a sum with the same unit, so that with_({path: 1.1 * number}) is what it
+    # looks like. Everything else is a plain float.
+
+    def __mul__(self, other: Any) -> Any:
+        if isinstance(other, Quantity):
+            return float(self) * float(other)
+        product = float(self) * other
+        return Quantity(product, self.unit) if _is_plain(other) else product
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Any:
+        ratio = float(self) / other
+        return Quantity(ratio, self.unit) if _is_plain(other) else ratio
+
+    def __neg__(self) -> Quantity:
+        return Quantity(-float(self), self.unit)
+
+    def __add__(self, other: Any) -> Any:
+        total = float(self) + other
+        return Quantity(total, self.unit) if isinstance(other, Quantity) and other.unit == self.unit else total
+
+    def __sub__(self, other: Any) -> Any:
+        return self + (-other)
 
     __str__ = __repr__
 
     def __getnewargs__(self) -> Any:
         return (float(self), self.unit, self.doc, self.solver_error, self.mesh_error, self.least, self.largest)
+
+
+def _is_plain(number: Any) -> bool:
+    return isinstance(number, (int, float)) and not isinstance(number, Quantity)
+
+
+def in_unit(value: Any, unit: str) -> float:
+    """A number in `unit`: a plain one as it is, a text or a quantity with a unit converted."""
+    written = value.unit if isinstance(value, Quantity) else ""
+    if isinstance(value, str) or (written and written != unit):
+        return _netloft.in_unit(value if isinstance(value, str) else f"{float(value)!r} {written}", unit)
+    return float(value)

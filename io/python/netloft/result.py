@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, overload
 
 from . import _netloft
 from .names import Named, unknown
-from .quantity import Quantity
+from .quantity import Quantity, in_unit
 
 if TYPE_CHECKING:
     import numpy
@@ -111,7 +111,9 @@ class Report:
 
     def __repr__(self) -> str:
         figures = Named("figure", {name: self.report[name] for name in self._answer.key_figures()})
-        return f"<{self.status}, {self.stability}>\n{figures!r}" if figures else f"<{self.status}, {self.stability}>"
+        words = [self.status, self.stability, f"{len(self.warnings)} warnings (.warnings)" if self.warnings else ""]
+        head = f"<{', '.join(filter(None, words))}>"
+        return f"{head}\n{figures!r}" if figures else head
 
 
 class Equilibrium(Report):
@@ -231,8 +233,9 @@ class Equilibrium(Report):
     def gradient(self, figures: str | list[str], numbers: Iterable[str] | None = None, check: bool = False) -> Any:
         """Derivatives of figures with respect to numbers of the scene: {figure: {number: derivative}}, or
         {number: derivative} if `figures` is one name. They are in the units of the figure per that of the
-        number as the scene states it, in the order in which numbers are asked for. A number that has none (an
-        integer, for instance) is left out, unless it was asked for: then ValueError says why.
+        number as the scene states it, in the order in which numbers are asked for; without `numbers` of all numbers of
+        the scene. A number that has none (an integer, for instance) is left out, unless it was asked for: then
+        ValueError says why.
 
         They hold as long as no member becomes slack or taut and no node touches or leaves the ground. With
         check=True they are found by a longer step as well, and are NaN where that finds others.
@@ -242,7 +245,7 @@ class Equilibrium(Report):
         for figure in wanted:
             names[figure]  # KeyError with the likely name
         asked = [numbers] if isinstance(numbers, str) else list(numbers or ())
-        index, effects = self._sensitivities(asked, check)
+        index, effects = self._sensitivities(asked or list(self.scene.numbers), check)
         table: dict[str, dict[str, Quantity]] = {figure: {} for figure in wanted}
         places = {path: place for place, path in enumerate(asked)}
         for path, _, unit, why_not, slopes, marks in sorted(effects, key=lambda effect: places.get(effect[0], len(places))):
@@ -257,19 +260,20 @@ class Equilibrium(Report):
                 table[figure][path] = Quantity(value, per)
         return table[figures] if isinstance(figures, str) else table
 
-    def jvp(self, changes: Mapping[str, float]) -> dict[str, float]:
-        """The change of every figure, to first order, when numbers change: {"tow.speed": 0.1} in the unit of
-        the scene."""
+    def jvp(self, changes: Mapping[str, float | str]) -> Named[float]:
+        """The change of every figure, to first order, when numbers change. A change may have a unit, "0.1 m/s"; one
+        without is in the unit in which the scene states the number."""
         total = dict.fromkeys(self.report, 0.0)
         index, effects = self._sensitivities(list(changes))
-        for path, _, _, why_not, slopes, _ in effects:
+        for path, _, unit, why_not, slopes, _ in effects:
             if path not in changes:
                 continue
             if why_not:
                 raise ValueError(f"{path} has no derivatives: {why_not}")
+            change = in_unit(changes[path], unit)
             for name, slope in zip(index, slopes):
-                total[name] += float(slope) * float(changes[path])
-        return total
+                total[name] += float(slope) * change
+        return Named("figure", total)
 
     def vjp(self, weights: Mapping[str, float], numbers: Iterable[str] | None = None) -> dict[str, float]:
         """The derivative of a weighted sum of figures, {"towing/pull": 1.0}, with respect to every number."""

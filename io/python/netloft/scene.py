@@ -16,6 +16,7 @@ from .errors import Interrupted, NotConverged
 from .names import Named, unknown
 from .quantity import Quantity
 from .result import Equilibrium
+from .solvers import raised_in_python
 
 if TYPE_CHECKING:
     from .motion import Stored
@@ -77,10 +78,12 @@ class Scene:
     pickled, which stores the path of the file and the changes, not the text of the file.
     """
 
+    __slots__ = ("_opened", "_numbers", "_parts", "__weakref__")
+
     def __init__(self, file: Path | str) -> None:
         path = Path(file)
         if not path.is_file():
-            raise FileNotFoundError(f"{path}: there is no such scene file")
+            raise FileNotFoundError(f"{path}: there is no such scene file; load() also finds those of the library")
         self._opened = _netloft.OpenedScene(str(path.resolve()))
         self._numbers: Named[Quantity] | None = None
         self._parts: tuple[str, ...] | None = None
@@ -118,7 +121,7 @@ class Scene:
     def parts(self) -> tuple[str, ...]:
         """The names of the parts: panels, ropes, floats, boards."""
         if self._parts is None:
-            self._parts = tuple(self._opened.parts())
+            self._parts = tuple(dict.fromkeys(self._opened.parts()))
         return self._parts
 
     def __getitem__(self, part: str) -> Part:
@@ -162,7 +165,7 @@ class Scene:
               progress: Callable[[int, float, float], object] | None = None, raises: bool = True) -> Equilibrium:
         """The equilibrium.
 
-        start: an Equilibrium, or positions of all nodes [m], to search near.
+        start: an Equilibrium, a result that was read(), or positions of all nodes [m], to search near.
         mesh_of: an Equilibrium of the same gear with other numbers, whose mesh is taken over: its triangles stay, and
             its nodes move with the numbers of the net plan. Figures are smooth functions of these numbers then.
         error: solve on two further meshes, for the error of the mesh in every figure.
@@ -175,7 +178,9 @@ class Scene:
         if mesh_of is not None and not isinstance(mesh_of, Equilibrium):
             raise TypeError(f"mesh_of is an Equilibrium of the same gear, not {mesh_of!r}")
         scene = self.by(solver, strategy) if solver or strategy else self
+        raised_in_python()  # forgets those of earlier searches
         points = getattr(start, "points", start)
+        points = points() if callable(points) else points
         points = [] if points is None else [float(c) for row in points for c in row]
         answer, ended_by = scene._opened.solve(points, mesh_of and mesh_of._answer, bool(error), progress)
         if isinstance(ended_by, KeyboardInterrupt):
@@ -184,7 +189,7 @@ class Scene:
             raise ended_by
         result = Equilibrium(scene, answer)
         if raises and result.status != "converged":
-            raise NotConverged(result)
+            raise NotConverged(result) from raised_in_python()
         return result
 
     def simulate(self, times: Iterable[float] | None = None, output: Path | str | None = None,
@@ -193,6 +198,21 @@ class Scene:
         from .motion import simulate
 
         return simulate(self, times, output, progress)
+
+    def save(self, path: Path | str) -> Path:
+        """Writes a scene file that includes this one, by its whole path, and states its changes: a file of one's own
+        to go on from. Changes of items of arrays ("hold[0].at") cannot be stated in such a file."""
+        lines = [f"include = [{toml(str(self.file))}]"]
+        for change in self.changes:
+            key, _, value = change.partition("=")
+            if "[" in key:
+                raise ValueError(f"{key} is an item of an array, which a file that includes another one cannot change by itself")
+            lines.append(f"{key} = {value}")
+        path = Path(path)
+        if path.exists():
+            raise FileExistsError(f"{path} is there already, and a scene is no result that could be made again")
+        path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+        return path
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Scene) and (self.file, self.changes) == (other.file, other.changes)

@@ -28,7 +28,8 @@ def solver(function: Any = None, *, name: str | None = None) -> Any:
     It is called with a Problem, whose `evaluate(u, tangent=True)` returns energy [J] and residual [N], whose
     `factorise()` and `solve(rhs)` work with the tangent, and whose `progress(u, energy, residual)` it has to
     call after each step: it returns whether to go on. Netloft decides whether the last point is an
-    equilibrium. An exception ends the search.
+    equilibrium. An exception ends the search, and is the cause of NotConverged. A later solver of the same name
+    takes the place of this one.
 
         @netloft.solver
         def plain_newton(problem):
@@ -91,3 +92,9 @@ def compare(scene: Scene, solvers: Iterable[Callable[[Problem], object] | str], 
             row["distance"] = float(numpy.linalg.norm(result.points - reference.points, axis=1).max())
         table[name] = row
     return table
+
+
+def raised_in_python() -> BaseException | None:
+    """The last exception of a solver or strategy in Python, once."""
+    error: BaseException | None = _netloft.take_error()
+    return error

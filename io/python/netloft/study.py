@@ -9,7 +9,6 @@ from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ProcessPoolExecutor
 from typing import TYPE_CHECKING, Any
 
-from .errors import WrongInput
 from .names import Named
 from .quantity import Quantity
 
@@ -23,10 +22,7 @@ Row = tuple[dict[str, Any], str, str, dict[str, Quantity]]  # values, status, re
 
 
 def _solve_one(scene: Scene, changes: dict[str, Any], error: bool) -> Outcome:
-    try:
-        result = scene.with_(changes).solve(error=error, raises=False)
-    except WrongInput as wrong:
-        return "wrong input", str(wrong), {}
+    result = scene.with_(changes).solve(error=error, raises=False)
     return result.status, result.reason, dict(result.report)
 
 
@@ -59,7 +55,8 @@ class Study:
 
     def to_xarray(self) -> xarray.Dataset:
         """An xarray.Dataset with a dimension for each variable and a variable for each figure; `status` has the
-        outcomes. Figures of points without an equilibrium are NaN."""
+        outcomes. Figures of points without an equilibrium are NaN. With error=True each figure has its error of the
+        mesh beside it, as "NAME/error"."""
         import numpy
         import xarray
 
@@ -74,6 +71,9 @@ class Study:
         for name, q in known.items():
             column = [float(row[3][name]) if row[1] == "converged" and name in row[3] else numpy.nan for row in self.rows]
             data[name] = (dims, numpy.array(column).reshape(shape), {"units": q.unit, "long_name": q.doc})
+            errors = [row[3][name].mesh_error if name in row[3] else numpy.nan for row in self.rows]
+            if not numpy.isnan(errors).all():
+                data[f"{name}/error"] = (dims, numpy.array(errors).reshape(shape), {"units": q.unit, "long_name": "error of the mesh"})
         coords = {}
         for name, values in self.variables.items():
             numbers, unit = _coordinate(values)
@@ -109,6 +109,9 @@ def study(scene: Scene, variables: Mapping[str, Iterable[Any]] | Iterable[Mappin
     of workers.
     """
     if isinstance(variables, Mapping):
+        for path, values in variables.items():
+            if isinstance(values, (str, int, float)):
+                raise ValueError(f"{path}: {values!r} is one value; a study wants a list of them")
         columns = {path: list(values) for path, values in variables.items()}
         design = [dict(zip(columns, values)) for values in itertools.product(*columns.values())]
         dims = {path: len(values) for path, values in columns.items()}

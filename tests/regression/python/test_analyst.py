@@ -29,9 +29,31 @@ class AScene(unittest.TestCase):
         self.assertEqual(float(GEAR.numbers["tow.speed"]), 3.0)
         self.assertIn("length", dir(GEAR["headrope"]))
         self.assertIn("top-wing", GEAR.parts)
+        self.assertEqual(len(GEAR.parts), len(set(GEAR.parts)))
         self.assertIn("25.3 m", repr(GEAR["headrope"]))
 
+    def test_keeps_units_in_sums_and_multiples(self):
+        speed = GEAR.numbers["tow.speed"]
+        self.assertEqual(repr(1.1 * speed), "3.3 kn")
+        self.assertEqual((speed * 2).unit, "kn")
+        self.assertEqual((speed + speed - speed / 2).unit, "kn")
+        self.assertIs(type(speed * speed), float)
+        self.assertEqual(float(GEAR.with_({"tow.speed": 1.1 * speed}).numbers["tow.speed"]), 1.1 * 3)
+
+    def test_is_saved_as_a_file_of_its_own(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = GEAR.with_({"tow.speed": "3.5 kn"}).save(Path(folder) / "mine.toml")
+            mine = netloft.load(path)
+            self.assertEqual(float(mine.numbers["tow.speed"]), 3.5)
+            self.assertEqual(mine.check(), [])
+            with self.assertRaises(FileExistsError):
+                GEAR.save(path)
+            with self.assertRaisesRegex(ValueError, "item of an array"):
+                GEAR.with_({"points.towing-point.at[1]": 29.0}).save(Path(folder) / "other.toml")
+
     def test_never_changes_itself(self):
+        with self.assertRaises(AttributeError):
+            GEAR.speed = 3
         other = GEAR.with_({"tow.speed": "3.5 kn"})
         self.assertEqual(GEAR.changes, ("gear.nodes=300",))
         self.assertEqual(float(other.numbers["tow.speed"]), 3.5)
@@ -117,6 +139,12 @@ class Derivatives(unittest.TestCase):
         numbers = ["tow.speed", "ropes.headrope.length"]
         self.assertEqual(list(RESULT.gradient("drag/all/x", numbers)), numbers)
         self.assertEqual(list(RESULT.gradient("drag/all/x", numbers[::-1])), numbers[::-1])
+        knots, metres = RESULT.jvp({"tow.speed": "0.1 kn"})["drag/all/x"], RESULT.jvp({"tow.speed": "0.1 m/s"})["drag/all/x"]
+        self.assertAlmostEqual(RESULT.jvp({"tow.speed": 0.1})["drag/all/x"], knots, places=6)
+        self.assertAlmostEqual(metres / knots, 3600 / 1852, places=6)
+        everything = RESULT.gradient("drag/all/x")
+        self.assertIn("elements.top-wing.twine.diameter", everything)  # of the catalogue
+        self.assertNotIn("panels.top-codend.twines", everything)  # an integer
         jvp = RESULT.jvp({"tow.speed": 0.1, "ropes.headrope.length": 0.2})
         vjp = RESULT.vjp({"drag/all/x": 1.0}, numbers)
         self.assertAlmostEqual(jvp["drag/all/x"], 0.1 * vjp["tow.speed"] + 0.2 * vjp["ropes.headrope.length"], places=6)
@@ -134,6 +162,13 @@ class Derivatives(unittest.TestCase):
         v, w = rng.normal(size=(2, len(RESULT.u)))
         K, adjoint = RESULT.tangent(), RESULT.solve_adjoint(w)
         self.assertLess(abs(adjoint @ (K @ v) - w @ v), 1e-9 * numpy.linalg.norm(w) * numpy.linalg.norm(v))
+
+
+class AStudyWithErrors(unittest.TestCase):
+    def test_has_them_beside_its_figures(self):
+        data = netloft.study(GEAR, {"tow.speed": ["2.5 kn", "3.5 kn"]}, error=True).to_xarray()
+        self.assertTrue((data["drag/all/x/error"].values > 0).all())
+        self.assertEqual(data["drag/all/x/error"].attrs["units"], "N")
 
 
 class AMotion(unittest.TestCase):
@@ -160,10 +195,13 @@ class AStudy(unittest.TestCase):
         study = netloft.study(GEAR, {"tow.speed": ["2.5 kn", "3.5 kn"], "gear.nodes": [150, 200]})
         data = study.to_xarray()
         self.assertEqual(data["tow.speed"].attrs["units"], "kn")
+        self.assertNotIn("drag/all/x/error", data)
         self.assertEqual(data["drag/all/x"].shape, (2, 2))
         self.assertTrue((data["drag/all/x"].sel({"tow.speed": 3.5}).values > data["drag/all/x"].sel({"tow.speed": 2.5}).values).all())
 
     def test_keeps_points_without_an_answer_apart(self):
+        with self.assertRaisesRegex(netloft.WrongInput, "did you mean"):
+            netloft.study(GEAR, {"tow.sped": [1, 2]})
         study = netloft.study(GEAR.with_({"analysis.strategy": "direct"}), {"analysis.max_iterations": [1, 200]})
         self.assertEqual([row[1] for row in study.rows], ["not converged", "converged"])
         self.assertTrue(numpy.isnan(study.to_xarray()["drag/all/x"].values[0]))

@@ -55,6 +55,12 @@ MISTAKES = [  # (what is done, exception, words of its text)
     (lambda: netloft.read(__file__), OSError, ""),
     (lambda: netloft.add_plugins("/nowhere"), NotADirectoryError, "no such folder"),
     (lambda: netloft.study(GEAR, {"tow.speed": []}), ValueError, "has no values"),
+    (lambda: netloft.study(GEAR, {"tow.speed": "2 kn"}), ValueError, "wants a list"),
+    (lambda: netloft.Scene("83-112-flume-3.0kn.toml"), FileNotFoundError, "load()"),
+    (lambda: RESULT.draw(width=100000), ValueError, "pixels wide"),
+    (lambda: RESULT.draw("trawl.jpg"), ValueError, ".svg or .png"),
+    (lambda: RESULT.jvp({"tow.speed": "0.1 kg"}), ValueError, "a mass"),
+    (lambda: RESULT.jvp({"tow.speed": 0.1})["drag"], KeyError, "drag/all/x"),
 ]
 
 

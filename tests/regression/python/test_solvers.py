@@ -83,6 +83,32 @@ class ASolverInPython(unittest.TestCase):
         with self.assertRaisesRegex(netloft.NotConverged, "no step left"):
             netloft.load("hanging-rope.toml").solve(solver=careless)
 
+    def test_that_fails_is_the_cause(self):
+        with self.assertRaises(netloft.NotConverged) as caught:
+            netloft.load("hanging-rope.toml").solve(solver=careless)
+        self.assertIsInstance(caught.exception.__cause__, ZeroDivisionError)
+        with self.assertRaises(netloft.NotConverged) as caught:
+            netloft.load("hanging-rope.toml").solve(solver=liar)
+        self.assertIsNone(caught.exception.__cause__)
+
+    def test_takes_the_place_of_an_earlier_one(self):
+        for words in ("the first", "the second"):
+
+            @netloft.solver(name="edited")
+            def edited(problem, words=words):
+                raise RuntimeError(words)
+
+        with self.assertRaisesRegex(netloft.NotConverged, "the second"):
+            netloft.load("hanging-rope.toml").solve(solver="edited")
+
+    def test_that_forgot_to_factorise_is_told(self):
+        @netloft.solver
+        def hasty(problem):
+            problem.solve(problem.u)
+
+        with self.assertRaisesRegex(netloft.NotConverged, "call factorise"):
+            netloft.load("hanging-rope.toml").solve(solver=hasty)
+
     def test_is_no_longer_valid_after_its_call(self):
         kept = []
 
