@@ -7,6 +7,7 @@
 #include "io/results/file/provenance.hpp"
 #include "io/results/text/plan_text.hpp"
 #include "io/runs/equilibrium.hpp"
+#include "io/runs/tangent.hpp"
 #include "io/studies/compare/mesh_error.hpp"
 
 #include <fmt/format.h>
@@ -50,6 +51,9 @@ Answer::Answer(const OpenedScene& source, const SolveRequest& request, const std
   const InterruptibleReading reading(interrupt);
   scene_ = source.prepare(request.like.get());
   require_equilibrium_of(scene_->loaded());
+  if (request.like && !runs::have_same_topology(*request.like, *scene_))
+    throw std::invalid_argument(
+        "mesh_of has another mesh than this scene can have; it has to be an equilibrium of the same gear");
   if (const auto why_not = runs::why_unfit(*scene_)) throw std::invalid_argument(*why_not);
   solution_ =
       solve_from(*scene_, request.start, {.interrupt = &interrupt, .on_iteration = request.on_iteration});

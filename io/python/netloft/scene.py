@@ -207,7 +207,7 @@ class Scene:
             key, _, value = change.partition("=")
             if "[" in key:
                 raise ValueError(f"{key} is an item of an array, which a file that includes another one cannot change by itself")
-            lines.append(f"{key} = {value}")
+            lines.append(f"{key} = {_as_toml(value)}")
         path = Path(path)
         if path.exists():
             raise FileExistsError(f"{path} is there already, and a scene is no result that could be made again")
@@ -226,6 +226,15 @@ class Scene:
     def __repr__(self) -> str:
         changes = "".join(f"\n  {change}" for change in self.changes)
         return f"<netloft.Scene {self.file}{changes}>"
+
+
+def _as_toml(value: str) -> str:
+    """The value of a change as TOML: what is none is a text without its quotes, as `--set` takes it."""
+    try:
+        tomllib.loads(f"value = {value}")
+    except tomllib.TOMLDecodeError:
+        return toml(value)
+    return value
 
 
 def _restore(file: str, changes: tuple[str, ...]) -> Scene:

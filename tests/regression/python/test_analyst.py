@@ -46,6 +46,8 @@ class AScene(unittest.TestCase):
             mine = netloft.load(path)
             self.assertEqual(float(mine.numbers["tow.speed"]), 3.5)
             self.assertEqual(mine.check(), [])
+            classic = GEAR.by(solver="newton:method=classic").save(Path(folder) / "classic.toml")
+            self.assertEqual(netloft.load(classic).tables["analysis"]["newton"]["method"], "classic")
             with self.assertRaises(FileExistsError):
                 GEAR.save(path)
             with self.assertRaisesRegex(ValueError, "item of an array"):

@@ -34,6 +34,7 @@ MISTAKES = [  # (what is done, exception, words of its text)
     (lambda: GEAR.solve(solver="newton:"), ValueError, "nothing follows the colon"),
     (lambda: GEAR.solve(strategy="no such strategy"), ValueError, "no such strategy"),
     (lambda: GEAR.solve(start=ROPE.solve()), ValueError, "same mesh"),
+    (lambda: GEAR.solve(mesh_of=ROPE.solve()), ValueError, "the same gear"),
     (lambda: GEAR.solve(start=[1, 2, 3]), TypeError, ""),
     (lambda: GEAR.solve(start=numpy.full_like(RESULT.points, numpy.nan)), ValueError, "finite"),
     (lambda: ROPE.with_({"analysis.strategy": "direct", "analysis.max_iterations": 1}).solve(), netloft.NotConverged, "limit of 1 iterations"),
