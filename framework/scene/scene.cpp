@@ -18,7 +18,10 @@ class Pieces {
     while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
     return node;
   }
-  void join(std::uint32_t a, std::uint32_t b) { parent_[find(a)] = find(b); }
+  void join(std::uint32_t a, std::uint32_t b) {
+    const auto one = find(a), other = find(b);
+    parent_[std::max(one, other)] = std::min(one, other);
+  }
 
  private:
   std::vector<std::uint32_t> parent_;
@@ -29,8 +32,8 @@ Pieces find_pieces(const Scene& scene, const std::vector<int>& nodes_per_element
   for (std::size_t p = 0; p < scene.parts.size(); ++p) {
     const auto& nodes = scene.parts[p].nodes;
     const auto width = static_cast<std::size_t>(nodes_per_element[p]);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      if (i % width) pieces.join(nodes[i], nodes[i - i % width]);
+    for (std::size_t i = 0; i < nodes.size(); i += width)
+      for (std::size_t k = i + 1; k < i + width; ++k) pieces.join(nodes[k], nodes[i]);
   }
   for (const auto& body : scene.bodies)
     for (const auto& point : body.points) pieces.join(point.node, body.origin);

@@ -5,6 +5,7 @@
 #include "io/formats/text/name_fault.hpp"
 #include "io/formats/toml/table_reader.hpp"
 #include "io/formats/units/in_quotes.hpp"
+#include "io/gears/catalogue/folders.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -212,12 +213,12 @@ void Catalogue::shift_files(int by) {
     for (auto& [key, table] : part.tables) formats::shift_files(table, by);
 }
 
-std::shared_ptr<const Catalogue> KeptCatalogue::of(const std::vector<std::filesystem::path>& folders,
+std::shared_ptr<const Catalogue> KeptCatalogue::of(const std::vector<std::filesystem::path>& own,
                                                    formats::Diagnostics& diagnostics) {
-  if (!catalogue_ || folders != folders_) {
+  if (!catalogue_ || own != own_) {
     said_ = {};
-    catalogue_ = std::make_shared<Catalogue>(Catalogue::load(folders, said_));
-    folders_ = folders;
+    catalogue_ = std::make_shared<Catalogue>(Catalogue::load(catalogue_folders(said_, own), said_));
+    own_ = own;
     first_file_ = 0;
   }
   if (const int first = diagnostics.append(said_); first != first_file_) {

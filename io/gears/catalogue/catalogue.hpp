@@ -72,15 +72,17 @@ class Catalogue {
   std::vector<std::filesystem::path> folders_;
 };
 
-/// Stores the last catalogue that was loaded, and its messages, so that files are read only once.
+/// Stores the last catalogue that was loaded, and its messages, so that folders are searched and files are
+/// read only once.
 class KeptCatalogue {
  public:
-  /// The catalogue of these folders. Its sources and messages are added to `diagnostics`.
-  std::shared_ptr<const Catalogue> of(const std::vector<std::filesystem::path>& folders,
+  /// The catalogue of catalogue_folders(), of which `own` are the first. Its sources and messages are added
+  /// to `diagnostics`.
+  std::shared_ptr<const Catalogue> of(const std::vector<std::filesystem::path>& own,
                                       formats::Diagnostics& diagnostics);
 
  private:
-  std::vector<std::filesystem::path> folders_;
+  std::vector<std::filesystem::path> own_;
   formats::Diagnostics said_;  // messages of the loading
   int first_file_ = 0;         // index of the catalogue's first file in the `diagnostics` of the last call
   std::shared_ptr<const Catalogue> catalogue_;

@@ -2,6 +2,10 @@
 #pragma once
 #include "io/gears/plan/net_plan.hpp"
 
+#include <array>
+#include <string>
+#include <vector>
+
 namespace netloft::gears {
 
 /// Limits above which a difference is reported as a warning or as an error. Limits without a unit are
@@ -25,20 +29,48 @@ struct CheckLimits {
 /// cure. If a cutting is not a valid rate, the remaining checks use the rate that it probably means.
 void check_plan(NetPlan& plan, formats::Diagnostics& diagnostics, const CheckLimits& limits = {});
 
-// These functions are the parts of check_plan.
+/// The part of check_plan() that reads only lengths, mesh counts and connections of panels and ropes. Panels
+/// are changed only after an error: a cutting that is not a valid rate gets the rate that it probably means.
+void check_net(NetPlan& plan, formats::Diagnostics& diagnostics, const CheckLimits& limits = {});
+
+/// Two points of the whole gear and the length of the shortest path along ropes between them [m].
+struct RopeSpan {
+  struct End {
+    std::size_t point;  // index in NetPlan::points
+    bool is_mirrored;   // whether it is the point to port of a pair
+    std::string name;   // name of the point in the gear
+  };
+  std::array<End, 2> ends;
+  double length;
+};
+
+/// All pairs of points with ropes between them. The plan must be free of errors.
+std::vector<RopeSpan> rope_spans(const NetPlan& plan);
+/// The part of check_plan() that reads materials, floats and weights, and positions of points. `spans`: those
+/// of the plan, or none after an error.
+void check_fittings(const NetPlan& plan, const std::vector<RopeSpan>& spans,
+                    formats::Diagnostics& diagnostics, const CheckLimits& limits = {});
+
+// These functions are the parts of check_net.
 void check_panels(NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 void check_joins(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 void check_hangings(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 void check_ropes(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
-void check_pieces(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 void check_connections(const NetPlan& plan, formats::Diagnostics& diagnostics);
+/// Refuses a loose loop: a rope that begins and ends at the same point and has no edge hung on it. The plan
+/// must be free of errors.
+void check_loops(const NetPlan& plan, formats::Diagnostics& diagnostics);
 /// Warns of ropes on which only a small part is hung with edges. The plan must be free of errors.
 void check_loose_ropes(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 /// Checks that every edge is sewn, hung or declared open. The plan must be free of errors.
 void check_open_edges(const NetPlan& plan, formats::Diagnostics& diagnostics);
-/// Checks points with known positions: they must not be farther apart than the ropes between them allow, and
-/// no rope may lead from a point to itself. The plan must be free of errors.
-void check_spans(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
+
+// These functions are parts of check_fittings.
+void check_pieces(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
+/// Two points must not be farther apart than the ropes between them are long. The plan must be free of
+/// errors.
+void check_spans(const NetPlan& plan, const std::vector<RopeSpan>& spans, const CheckLimits& limits,
+                 formats::Diagnostics& diagnostics);
 
 /// Numbers as net makers write them, such as 25.8 meshes, 12.35 m and +1.7 %. The first two texts have no
 /// unit.

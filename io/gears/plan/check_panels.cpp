@@ -139,14 +139,6 @@ void check_edge_names(const Panel& panel, formats::Diagnostics& diagnostics) {
     for (const auto& cut : *side) check(cut.name, cut.place);
 }
 
-void check_twine(const Panel& panel, formats::Diagnostics& diagnostics) {
-  if (panel.twine_diameter * panel.twines * 2 >= panel.mesh && panel.mesh > 0)
-    diagnostics.error(panel.place,
-                      fmt::format("{}: {} twines of {:.3g} mm leave no opening in meshes of {:.4g} mm",
-                                  panel.name, panel.twines, 1e3 * panel.twine_diameter, 1e3 * panel.mesh),
-                      "mesh is the stretched mesh size: two bars");
-}
-
 /// Reports seams that gather all meshes of a panel, and lets them gather none in the remaining checks.
 void check_selvedges(Panel& panel, formats::Diagnostics& diagnostics) {
   double gathered = 0;
@@ -220,7 +212,6 @@ void check_panels(NetPlan& plan, const CheckLimits& limits, formats::Diagnostics
     mend_side(panel, true, limits, diagnostics);
     mend_side(panel, false, limits, diagnostics);
     check_edge_names(panel, diagnostics);
-    check_twine(panel, diagnostics);
     check_empty(panel, diagnostics);
     check_selvedges(panel, diagnostics);
     if (!all_rates_are_known(panel)) continue;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/formats/toml/table_reader.hpp"
 #include "io/gears/plan/check.hpp"
 #include "io/gears/plan/names.hpp"
 #include "io/gears/plan/proposals.hpp"
@@ -269,20 +268,6 @@ void say_loose(const Rope& rope, double hung, formats::Diagnostics& diagnostics)
       {set(path_of({"ropes", rope.name, "length"}), as_metres(millimetres_above(hung)))});
 }
 
-void check_thickness(const Rope& rope, formats::Diagnostics& diagnostics) {
-  const formats::Table* numbers = rope.rope.as<formats::Table>();
-  const formats::Member* diameter = numbers ? numbers->find("diameter") : nullptr;
-  if (!diameter || rope.is_selvedge) return;
-  formats::Diagnostics silent;
-  const double thick = formats::TableReader(rope.rope, silent)
-                           .real("diameter", {.unit = "m", .range = formats::between(0, 1e6)});
-  if (silent.errors() == 0 && thick >= rope.length)
-    diagnostics.error(rope.place,
-                      fmt::format("{} is {} m thick and only {} m long", rope.name, in_metres(thick),
-                                  in_metres(rope.length)),
-                      "one of the two may be in another unit");
-}
-
 /// A longer rope, less of it for one of its edges, or fewer meshes along an edge that is hung with a ratio.
 Cures cures_of_length(const NetPlan& plan, const HangingsByRope& hangings, const Rope& rope, double hung) {
   Cures cures = {set(path_of({"ropes", rope.name, "length"}), as_metres(millimetres_above(hung)))};
@@ -311,7 +296,6 @@ void check_rope_length(const NetPlan& plan, const HangingsByRope& hangings, cons
                        const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const double hung = hung_on(plan, hangings, rope);
   const double missing = hung - rope.length;
-  check_thickness(rope, diagnostics);
   if (missing <= limits.rounding * rope.length) return;
   const std::string message =
       fmt::format("{} is {} m long, but edges take {} m of it: it is {} m too short", rope.name,

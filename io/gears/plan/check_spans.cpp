@@ -79,20 +79,20 @@ class RopeWays {
   std::vector<std::vector<Way>> ways_;
 };
 
-double distance(const GearPoint& a, const GearPoint& b) {
-  return std::hypot((*b.at)[0] - (*a.at)[0], (*b.at)[1] - (*a.at)[1], (*b.at)[2] - (*a.at)[2]);
+void say_too_short(const NetPlan& plan, const RopeSpan& span, double distance,
+                   formats::Diagnostics& diagnostics) {
+  diagnostics.error(
+      plan.points[span.ends[1].point].place,
+      fmt::format("{} and {} are {} m apart, but the ropes between them are only {} m long",
+                  span.ends[0].name, span.ends[1].name, in_metres(distance), in_metres(span.length)),
+      "give `at` in metres, x aft, y to starboard, z up, or lengthen the ropes");
 }
 
-void say_too_short(const GearPoint& a, const GearPoint& b, double length, formats::Diagnostics& diagnostics) {
-  diagnostics.error(b.point->place,
-                    fmt::format("{} and {} are {} m apart, but the ropes between them are only {} m long",
-                                a.name, b.name, in_metres(distance(a, b)), in_metres(length)),
-                    "give `at` in metres, x aft, y to starboard, z up, or lengthen the ropes");
-}
+}  // namespace
 
-/// Refuses a loose loop: a rope that begins and ends at the same point and has no edge hung on it.
-void check_loops(const NetPlan& plan, const Gear& gear, const RopeWays& ways,
-                 formats::Diagnostics& diagnostics) {
+void check_loops(const NetPlan& plan, formats::Diagnostics& diagnostics) {
+  const Gear gear = make_rigging(plan);
+  const RopeWays ways(gear);
   const HangingsByRope hangings = hangings_by_rope(plan);
   for (const auto& rope : gear.ropes) {
     if (hangings.contains(rope.rope->name) || rope.is_mirrored) continue;
@@ -106,26 +106,36 @@ void check_loops(const NetPlan& plan, const Gear& gear, const RopeWays& ways,
   }
 }
 
-}  // namespace
-
-void check_spans(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
+std::vector<RopeSpan> rope_spans(const NetPlan& plan) {
   const Gear gear = make_rigging(plan);
   const RopeWays ways(gear);
-  check_loops(plan, gear, ways, diagnostics);
-  std::set<std::pair<const Point*, const Point*>> said;  // port and starboard would give the same message
+  const auto end_at = [&](const GearPoint& point) {
+    return RopeSpan::End{static_cast<std::size_t>(point.point - plan.points.data()), point.is_mirrored,
+                         point.name};
+  };
+  std::vector<RopeSpan> spans;
   for (std::size_t i = 0; i < gear.points.size(); ++i) {
-    const GearPoint& a = gear.points[i];
-    const auto start = ways.find(a.name);
-    if (!a.at || !start) continue;
+    const auto start = ways.find(gear.points[i].name);
+    if (!start) continue;
     const auto reached = ways.from(*start);
-    for (std::size_t j = i + 1; j < gear.points.size(); ++j) {
-      const GearPoint& b = gear.points[j];
-      const auto other = ways.find(b.name);
-      const auto length = other ? reached.find(*other) : reached.end();
-      if (!b.at || length == reached.end() || distance(a, b) <= length->second * (1 + limits.short_rope))
-        continue;
-      if (said.emplace(a.point, b.point).second) say_too_short(a, b, length->second, diagnostics);
-    }
+    for (std::size_t j = i + 1; j < gear.points.size(); ++j)
+      if (const auto other = ways.find(gear.points[j].name); other && reached.contains(*other))
+        spans.push_back({{end_at(gear.points[i]), end_at(gear.points[j])}, reached.at(*other)});
+  }
+  return spans;
+}
+
+void check_spans(const NetPlan& plan, const std::vector<RopeSpan>& spans, const CheckLimits& limits,
+                 formats::Diagnostics& diagnostics) {
+  std::set<std::pair<std::size_t, std::size_t>> said;  // port and starboard would give the same message
+  for (const RopeSpan& span : spans) {
+    const auto a = position(plan.points[span.ends[0].point], span.ends[0].is_mirrored),
+               b = position(plan.points[span.ends[1].point], span.ends[1].is_mirrored);
+    if (!a || !b) continue;
+    const double distance = std::hypot((*b)[0] - (*a)[0], (*b)[1] - (*a)[1], (*b)[2] - (*a)[2]);
+    if (distance <= span.length * (1 + limits.short_rope)) continue;
+    if (said.emplace(span.ends[0].point, span.ends[1].point).second)
+      say_too_short(plan, span, distance, diagnostics);
   }
 }
 

@@ -256,9 +256,8 @@ class GearMaker {
 
   void add_point(const Point& point) {
     for (const Side side : sides_of(point.stands)) {
-      GearPoint one{prefix(side) + point.name, &point, point.at};
-      if (one.at && side == Side::port) (*one.at)[1] = -(*one.at)[1];
-      gear_.points.push_back(std::move(one));
+      const bool is_mirrored = side == Side::port;
+      gear_.points.push_back({prefix(side) + point.name, &point, is_mirrored, position(point, is_mirrored)});
     }
   }
 
@@ -327,6 +326,12 @@ class GearMaker {
 }  // namespace
 
 Gear make_gear(const NetPlan& plan, Extent extent) { return GearMaker(plan, extent).make(); }
+
+std::optional<std::array<double, 3>> position(const Point& point, bool is_mirrored) {
+  auto at = point.at;
+  if (at && is_mirrored) (*at)[1] = -(*at)[1];
+  return at;
+}
 
 Gear make_rigging(const NetPlan& plan) { return GearMaker(plan, Extent::whole).make_rigging(); }
 

@@ -85,8 +85,12 @@ struct GearPieces {
 struct GearPoint {
   std::string name;
   const Point* point = nullptr;
+  bool is_mirrored = false;                 // whether it is the point to port of a pair
   std::optional<std::array<double, 3>> at;  // [m], mirrored if it is to port
 };
+
+/// The position of a point, or of its mirror image, if the plan gives it [m].
+std::optional<std::array<double, 3>> position(const Point& point, bool is_mirrored);
 
 /// A rigid body of the plan; its points are points of the gear.
 struct GearBody {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/gears/catalogue/catalogue.hpp"
-#include "io/gears/plan/net_plan.hpp"
+#include "io/gears/plan/check.hpp"
 #include "io/gears/plan/recent.hpp"
 
 #include <map>
@@ -19,12 +19,27 @@ struct TableRead {
 template <class T>
 using TablesRead = std::map<std::string, Recent<formats::Value, const TableRead<T>>>;
 
-/// Parts of a net plan that are stored between readings of the plan. They depend on their tables and on the
-/// catalogue.
+/// A plan as an input of check_net() and rope_spans(). Two are equal if all data are equal that these
+/// functions read; materials, pieces, winches, the ship and positions of points may differ.
+struct NetInput {
+  explicit NetInput(const NetPlan& given) : plan(given) {}
+  NetPlan plan;
+  bool operator==(const NetPlan& other) const;
+};
+
+/// The messages of check_net() about a plan, and its ropes between points, which are left out after an error.
+struct NetCheck {
+  std::vector<formats::Diagnostic> messages;
+  std::vector<RopeSpan> spans;
+};
+
+/// Parts of a net plan that are stored between readings of the plan, and the last checks of the net. They
+/// depend on their tables and on the catalogue.
 struct PlanMemory {
   std::shared_ptr<const Catalogue> catalogue;
   TablesRead<Panel> panels;
   TablesRead<Rope> ropes;
+  Recent<NetInput, const NetCheck> checks{2};
 };
 
 }  // namespace netloft::gears

@@ -145,12 +145,14 @@ void report_successors(formats::TableReader& table) {
     if (table.has(key)) table.error(key, "is no longer a key of [analysis]", successor);
 }
 
-/// Whether a name is that of a strategy; if so, an error about a solver of this name gets a hint. Opens the
-/// plugin to find out.
-bool is_strategy(Registry& registry, const std::string& name) {
+/// Whether a plugin offers a component of this name among those of one kind. Opens the plugin.
+template <class Type>
+bool is_offered(Registry& registry, const std::string& name, std::vector<Type> PluginContent::*kind) {
+  const ComponentTable at = table_of_component(name);
+  const std::string type = at.plugin + "/" + (at.component.empty() ? at.plugin : at.component);
   try {
-    registry.strategy(name);
-    return true;
+    const auto& all = registry.plugin(at.plugin).*kind;
+    return std::ranges::find(all, type, &Type::type) != all.end();
   } catch (const PluginRefused&) {
     return false;
   }
@@ -206,6 +208,10 @@ ComponentTable table_of_component(const std::string& name) {
   return {plugin, component == plugin ? "" : component};
 }
 
+bool is_integrator(Registry& registry, const std::string& name) {
+  return is_offered(registry, name, &PluginContent::integrators);
+}
+
 Analysis read_analysis(formats::TableReader table, Registry& registry, bool& refused) {
   const Values values = read_parameters(analysis_keys(), table);
   report_successors(table);
@@ -221,8 +227,7 @@ Analysis read_analysis(formats::TableReader table, Registry& registry, bool& ref
     table.error("strategy", "is empty; give the name of a strategy, such as auto");
     return a;
   }
-  if (const auto names = registry.available();
-      std::find(names.begin(), names.end(), a.solver) != names.end() && is_strategy(registry, a.solver)) {
+  if (is_offered(registry, a.solver, &PluginContent::strategies)) {
     table.error("solver", "\"" + a.solver + "\" is a strategy, not a solver",
                 "write --strategy " + a.solver + ", or strategy = \"" + a.solver + "\" in [analysis]");
     return a;

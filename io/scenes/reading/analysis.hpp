@@ -13,6 +13,10 @@ struct ComponentTable {
 };
 ComponentTable table_of_component(const std::string& name);
 
+/// Whether the name given for a solver is that of an integrator, whose damped motion then finds the
+/// equilibrium. Opens the plugin.
+bool is_integrator(Registry& registry, const std::string& name);
+
 /// Reads `[analysis]`: the kind of analysis, the solver and the strategy with their parameters. Also reads
 /// the tables of other solvers and strategies, because a strategy may call them. Sets `refused` if a plugin
 /// is missing or was rejected.

@@ -151,7 +151,7 @@ SceneCatalogue::SceneCatalogue(gears::KeptCatalogue& kept, const formats::Value&
     : kept_(kept), diagnostics_(diagnostics), own_(gears::named_folders(scene, folder, diagnostics)) {}
 
 std::shared_ptr<const gears::Catalogue> SceneCatalogue::load() {
-  if (!catalogue_) catalogue_ = kept_.of(gears::catalogue_folders(diagnostics_, own_), diagnostics_);
+  if (!catalogue_) catalogue_ = kept_.of(own_, diagnostics_);
   return catalogue_;
 }
 

@@ -196,15 +196,6 @@ Dynamics read_dynamics(formats::TableReader& analysis, Registry& registry) {
   return d;
 }
 
-bool is_integrator(Registry& registry, const std::string& name) {
-  try {
-    registry.integrator(name);
-    return true;
-  } catch (const PluginRefused&) {
-    return false;
-  }
-}
-
 Course read_course(formats::TableReader& hold) {
   const bool by_way = hold.has("displacement"), by_speed = hold.has("velocity");
   if (by_way && by_speed)

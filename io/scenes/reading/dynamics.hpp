@@ -30,10 +30,6 @@ std::span<const netloft_parameter> dynamics_keys();
 /// Reads dynamics_keys(). Throws PluginRefused if there is no such integrator.
 Dynamics read_dynamics(formats::TableReader& analysis, Registry& registry);
 
-/// Whether the name given for a solver is that of an integrator, whose damped motion then finds the
-/// equilibrium.
-bool is_integrator(Registry& registry, const std::string& name);
-
 /// Reads the motion of a hold, the key `displacement` or `velocity` of `[[hold]]`: a table with a column `t`
 /// of times. Displacements are interpolated by a smooth curve that begins and ends at rest. Velocities are
 /// interpolated linearly, and the last velocity continues after the last time.

@@ -20,13 +20,18 @@ struct PartTableRead {
   bool is_sound = false;
 };
 
+/// Data of the panels of a gear that depend on its division alone.
+struct DividedPanels {
+  std::vector<Geometry> geometries;         // without positions and places in files
+  std::map<std::string, SheetPlace> sheet;  // see GearInScene::sheet
+};
+
 /// Results of steps that are stored between the instances of a scene with a net plan, with their inputs.
 struct GearMemory {
   gears::Divisions divisions;
   /// Parameters of the parts of the plan, by the name of the part.
   std::map<std::string, gears::Recent<PartTable, const PartTableRead>> parts;
-  /// Geometries of the panels of a division, without positions and places in files.
-  gears::Recent<std::shared_ptr<gears::Division>, const std::vector<Geometry>> panels{2};
+  gears::Recent<std::shared_ptr<gears::Division>, const DividedPanels> panels{2};
 };
 
 }  // namespace netloft::scenes

@@ -79,7 +79,6 @@ GearParts::GearParts(const gears::NetPlan& plan, formats::TableReader& root, con
     in_scene.size = fineness_.size;
     in_scene.bill = bill_of(plan);
     in_scene.netting = netting_of(plan);
-    in_scene.sheet = sheet_of(plan, gear_);
   } else {
     gear_ = gears::make_gear(plan, gears::Extent::whole);  // gives the names of the gear's parts
   }
@@ -101,11 +100,13 @@ bool GearParts::divide(const std::shared_ptr<gears::Division>& like) {
     return false;
   }
   panels_ = memory_.panels.of(division_, [&](const auto& division) {
-    auto panels = std::make_shared<std::vector<Geometry>>();
+    auto panels = std::make_shared<DividedPanels>();
     for (std::size_t p = 0; p < division->mesh().panels.size(); ++p)
-      panels->push_back(geometry_of(*gear_.panels[p].panel, division->mesh().panels[p]));
+      panels->geometries.push_back(geometry_of(*gear_.panels[p].panel, division->mesh().panels[p]));
+    panels->sheet = sheet_of(plan_, gear_);
     return panels;
   });
+  draft_.out.gear->sheet = panels_->sheet;
   draft_.out.gear->division = division_;
   if (fineness_.knots) draft_.out.gear->nodes = mesh().nodes;
   first_.resize(mesh().nodes);
@@ -202,7 +203,7 @@ void GearParts::read_parts(PartReader& parts) {
 void GearParts::add_parts() {
   start_ = division_->start_shapes().with(gear_, known_);
   for (std::size_t p = 0; p < mesh().panels.size(); ++p)
-    add_netting(gear_.panels[p], (*panels_)[p], mesh().panels[p].nodes);
+    add_netting(gear_.panels[p], panels_->geometries[p], mesh().panels[p].nodes);
   for (std::size_t r = 0; r < mesh().ropes.size(); ++r) add_rope(gear_.ropes[r], mesh().ropes[r]);
   for (const auto& pieces : gear_.pieces) draft_.announce_rider(pieces.name);
   name_points();
@@ -228,7 +229,7 @@ void GearParts::add_rope(const gears::GearRope& rope, const gears::RopeMesh& mes
   geometry.names.sets = mesh.sets;
   geometry.names.place = rope.rope->place;
   for (std::uint32_t i = 0; i + 1 < mesh.nodes.size(); ++i)
-    geometry.elements.insert(geometry.elements.end(), {i, i + 1});
+    for (const auto end : {i, i + 1}) geometry.elements.push_back(end);
   geometry.data[datum::kRestLength.name] = mesh.rest_lengths;
   keep_strength(draft_.out, rope.name, rope.rope->rope, 1, rope.rope->part_name);
   add_part("ropes", rope.name, "ropes." + rope.rope->name, rope.rope->rope, !rope.rope->part_name.empty(),

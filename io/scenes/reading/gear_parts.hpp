@@ -83,9 +83,9 @@ class GearParts : public GearSteps {
   std::optional<PlanElements> elements_;  // nullopt until `[elements]` is read
   GearMemory& memory_;
   gears::Fineness fineness_;
-  bool is_sound_ = false;                                // false after an error in `[gear]` or `[elements]`
-  std::shared_ptr<gears::Division> division_;            // nullptr before divide() and after an error
-  std::shared_ptr<const std::vector<Geometry>> panels_;  // geometries of the panels, without positions
+  bool is_sound_ = false;                      // false after an error in `[gear]` or `[elements]`
+  std::shared_ptr<gears::Division> division_;  // nullptr before divide() and after an error
+  std::shared_ptr<const DividedPanels> panels_;
   // Coordinates that the points of bodies fix, for the initial shape.
   std::vector<gears::KnownCoordinate> known_;
   std::vector<double> start_;  // initial positions, 3 per node of the gear

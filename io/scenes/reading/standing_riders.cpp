@@ -168,14 +168,17 @@ class RiderMaker {
     std::map<std::size_t, CarriedLength> of_part;
     for (const auto& [part, order] : grounds_)
       of_part.try_emplace(part, draft_.out.scene.parts[part], *draft_.types[part]);
+    const NodeElements& elements = draft_.node_elements();
+    std::vector<std::pair<std::size_t, std::size_t>> parts;  // at one node, by the order of their names
     for (const auto node : nodes_) {
-      std::map<std::size_t, std::size_t> parts;  // parts at the node, in the order in which they were named
-      for (const auto& at : draft_.node_elements().at(node))
-        if (const auto ground = grounds_.find(at.part); ground != grounds_.end())
-          parts.emplace(ground->second, at.part);
+      parts.clear();
+      for (const auto& at : elements.at(node))  // part by part
+        if (parts.empty() || parts.back().second != at.part)
+          if (const auto ground = grounds_.find(at.part); ground != grounds_.end())
+            parts.emplace_back(ground->second, at.part);
+      std::ranges::sort(parts);
       double length = 0;
-      for (const auto& [order, part] : parts)
-        length += of_part.at(part).at(draft_.node_elements().at(node, part));
+      for (const auto& [order, part] : parts) length += of_part.at(part).at(elements.at(node, part));
       lengths.push_back(length);
     }
     return lengths;

@@ -9,7 +9,7 @@
 #include "io/program/session/session.hpp"
 #include "io/program/session/terminal.hpp"
 #include "io/program/session/watchdog.hpp"
-#include "io/scenes/reading/dynamics.hpp"
+#include "io/scenes/reading/analysis.hpp"
 #include "tests/stability/suite/matrix.hpp"
 
 #include <algorithm>
