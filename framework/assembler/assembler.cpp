@@ -2,12 +2,15 @@
 #include "framework/assembler/assembler.hpp"
 
 #include "framework/assembler/carried_nodes.hpp"
+#include "framework/assembler/changed_water.hpp"
 #include "framework/assembler/element_memory.hpp"
 #include "framework/assembler/masses.hpp"
 #include "framework/assembler/reports.hpp"
 
 #include <algorithm>
 #include <cassert>
+#include <map>
+#include <utility>
 
 namespace netloft {
 
@@ -20,17 +23,38 @@ bool is_idle(const Scene& scene, const FamilyPlan& family) {
          std::none_of(family.terms.begin(), family.terms.end(), [](const TermPlan& t) { return t.on; });
 }
 
-/// Makes the families (all elements of one type each) that have active terms, in the order of the plan. The
-/// nodes of their shared unknowns are numbered after the nodes of the scene and those of the bodies'
-/// rotations.
+const ElementFamily& family_of_part(std::uint32_t part,
+                                    std::span<const std::unique_ptr<ElementFamily>> families) {
+  return **std::ranges::find_if(
+      families, [&](const auto& family) { return std::ranges::count(family->parts(), part) > 0; });
+}
+
+/// Adds a family for the drag of each family that is in the water of a flow. `bases`: the families and their
+/// plans.
+void add_drag_in_flows(const Scene& scene,
+                       const std::vector<std::pair<const FamilyPlan*, const ElementFamily*>>& bases,
+                       std::vector<std::unique_ptr<ElementFamily>>& families) {
+  for (const auto& [plan, base] : bases)
+    if (std::ranges::any_of(plan->terms,
+                            [&](const TermPlan& t) { return t.on && is_in_changed_water(*plan, t); }))
+      families.push_back(
+          std::make_unique<ElementFamily>(scene, *plan, *base, family_of_part(*plan->flow, families)));
+}
+
+/// Makes the families (all elements of one type each) that have active terms, in the order of the plan, then
+/// those for the drag in flows. The nodes of their shared unknowns are numbered after the nodes of the scene
+/// and those of the bodies' rotations.
 std::vector<std::unique_ptr<ElementFamily>> make_families(const Scene& scene, const ScenePlan& plan) {
   std::vector<std::unique_ptr<ElementFamily>> families;
+  std::vector<std::pair<const FamilyPlan*, const ElementFamily*>> bases;
   std::size_t nodes = scene.node_count() + scene.bodies.size();
   for (const auto& family : plan.families) {
     if (is_idle(scene, family)) continue;
     families.push_back(std::make_unique<ElementFamily>(scene, family, static_cast<std::uint32_t>(nodes)));
+    bases.emplace_back(&family, families.back().get());
     nodes += families.back()->global_nodes().size();
   }
+  add_drag_in_flows(scene, bases, families);
   return families;
 }
 
@@ -151,6 +175,31 @@ std::string Assembler::node_name(const Scene& scene, std::uint32_t node) const {
       if (family->global_nodes()[p].node == node)
         return scene.parts[family->parts()[p]].name + " " + family->type().globals[0].name;
   return "no node";
+}
+
+namespace {
+
+/// The nodes of shared unknowns by type and scene part.
+std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> shared_nodes(const Assembler& assembler) {
+  std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> nodes;
+  for (const auto& family : assembler.families())
+    for (std::size_t p = 0; p < family->global_nodes().size(); ++p)
+      nodes[{family->type().type, family->parts()[p]}] = family->global_nodes()[p].node;
+  return nodes;
+}
+
+}  // namespace
+
+void Assembler::take_shared_unknowns(const Assembler& from, std::span<const double> x,
+                                     std::span<double> u) const {
+  const auto others = shared_nodes(from);
+  for (const auto& [part, node] : shared_nodes(*this)) {
+    const auto other = others.find(part);
+    if (other == others.end()) continue;
+    for (int axis = 0; axis < 3; ++axis)
+      if (const std::size_t at = numbering_.dof(node, axis).at(); at < u.size())
+        u[at] = x[from.numbering().dof(other->second, axis).at()] - start()[at];
+  }
 }
 
 bool Assembler::remember(std::span<const double> x, const Kinematics& motion) {

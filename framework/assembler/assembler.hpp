@@ -45,6 +45,10 @@ class Assembler : public Placement {
   /// The name of a node: "net node 17", or "catch front" for shared unknowns of a part.
   std::string node_name(const Scene& scene, std::uint32_t node) const;
 
+  /// Sets the unknowns that the elements of a part share, in displacements u, to the values that they have at
+  /// x on another mesh `from` of the same gear.
+  void take_shared_unknowns(const Assembler& from, std::span<const double> x, std::span<double> u) const;
+
   /// Makes x the last accepted step: every element stores its memory of it, for instance the point at which
   /// it sticks to the ground. An evaluation uses these memories and does not change them. The constructor
   /// stores the memories of the initial positions. Returns false and changes nothing if an element could not

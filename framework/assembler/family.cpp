@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "framework/assembler/family.hpp"
 
+#include "framework/assembler/changed_water.hpp"
 #include "framework/registry/plugin_call.hpp"
 
 #include <cstdio>
@@ -11,8 +12,10 @@ namespace netloft {
 ElementFamily::ElementFamily(const Scene& scene, const FamilyPlan& plan, std::uint32_t first_global_node)
     : type_(plan.type), parts_(plan.parts), viscosity_ratio_(plan.viscosity_ratio) {
   for (std::size_t i = 0; i < plan.terms.size(); ++i)
-    if (plan.terms[i].on)
+    if (plan.terms[i].on && !is_in_changed_water(plan, plan.terms[i]))
       terms_.push_back(type_->terms[i]);
+    else if (plan.terms[i].on)
+      continue;  // a family of its own evaluates it
     else if (plan.terms[i].when_it_moves)
       terms_of_motion_.push_back(type_->terms[i]);
   gather_parameters(scene);
@@ -21,6 +24,24 @@ ElementFamily::ElementFamily(const Scene& scene, const FamilyPlan& plan, std::ui
   gather_nodes(scene, first_global_node);
   create(scene);
   gather_globals(scene, first_global_node);
+}
+
+ElementFamily::ElementFamily(const Scene& scene, const FamilyPlan& plan, const ElementFamily& base,
+                             const ElementFamily& flow)
+    : parts_(base.parts_),
+      viscosity_ratio_(base.viscosity_ratio_),
+      part_begin_(base.part_begin_),
+      part_(base.part_),
+      arms_(base.arms_),
+      changed_water_(std::make_unique<ChangedWater>(scene, plan, base, flow)) {
+  type_ = &changed_water_->type();
+  terms_ = type_->terms;
+  const std::uint32_t unknowns = changed_water_->node();
+  for (std::size_t e = 0; e < size(); ++e) {
+    for (int corner = 0; corner < base.all_nodes_per_element(); ++corner)
+      nodes_.push_back(base.node(e, corner));
+    nodes_.push_back(unknowns);
+  }
 }
 
 ElementFamily::~ElementFamily() {
@@ -54,11 +75,13 @@ int call_on_tile(const CallFrame& frame, netloft_tile& tile, Function&& function
 }  // namespace
 
 int ElementFamily::evaluate(const netloft_term& term, netloft_tile& tile) const {
+  if (changed_water_) return changed_water_->evaluate(term, tile);
   return call_on_tile({type_->type.c_str(), "term", term.name, CallFrame::Kind::element}, tile,
                       [&] { return term.evaluate(self_, &tile); });
 }
 
 int ElementFamily::output(netloft_tile& tile, double* values) const {
+  if (changed_water_) return changed_water_->output(tile, values);
   const netloft_tile before = tile;
   const int status =
       call_plugin({type_->type.c_str(), "outputs", nullptr, CallFrame::Kind::element}, int{NETLOFT_ERROR},
@@ -66,6 +89,19 @@ int ElementFamily::output(netloft_tile& tile, double* values) const {
   tile = before;
   if (const std::string broken = take_broken_rule(); !broken.empty()) throw std::runtime_error(broken);
   return status;
+}
+
+int ElementFamily::find_water(netloft_flow_tile& tile) const {
+  return call_plugin({type_->type.c_str(), "flow", nullptr, CallFrame::Kind::element}, int{NETLOFT_ERROR},
+                     [&] { return type_->flow.evaluate(self_, &tile); });
+}
+
+const ElementFamily* ElementFamily::repeated() const {
+  return changed_water_ ? &changed_water_->base() : nullptr;
+}
+
+const std::vector<std::unique_ptr<LawWatch>>& ElementFamily::law_watches() const {
+  return changed_water_ ? changed_water_->base().law_watches() : watches_;
 }
 
 std::span<double> ElementFamily::table(std::uint32_t scene_part, std::string_view parameter) const {
@@ -202,15 +238,15 @@ void ElementFamily::create(const Scene& scene) {
 }
 
 /// Makes one node for each part, for the unknowns that all elements of the part share. Coordinates of the
-/// node that are not unknowns are held: those beyond the number of unknowns, and unknowns whose parameter
-/// `needs` is zero.
+/// node that are not unknowns are held: those beyond the number of unknowns, unknowns whose parameter `needs`
+/// is zero, and all of them if no term is active.
 void ElementFamily::gather_globals(const Scene& scene, std::uint32_t first_node) {
   const auto& globals = type_->globals;
   for (std::uint32_t p = 0; p < parts_.size() && !globals.empty(); ++p) {
     GlobalNode shared{first_node + p, {}, kAllAxes};
     for (std::size_t k = 0; k < globals.size(); ++k) {
       shared.start[k] = global_starts_[p * globals.size() + k];
-      if (!globals[k].needs || sets(scene.parts[parts_[p]], *type_, globals[k].needs))
+      if (!terms_.empty() && (!globals[k].needs || sets(scene.parts[parts_[p]], *type_, globals[k].needs)))
         shared.held = static_cast<std::uint8_t>(shared.held & ~(1 << k));
     }
     global_nodes_.push_back(shared);

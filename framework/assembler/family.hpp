@@ -10,6 +10,8 @@
 
 namespace netloft {
 
+class ChangedWater;
+
 /// The node whose three coordinates are the rotation of a body. Such nodes follow those of the scene.
 inline std::uint32_t rotation_node(const Scene& scene, std::size_t body) {
   return static_cast<std::uint32_t>(scene.node_count() + body);
@@ -23,6 +25,10 @@ class ElementFamily {
   /// each part, numbered from `first_global_node` on. Throws SceneError if parameters or data are wrong or
   /// the plugin refuses an element.
   ElementFamily(const Scene& scene, const FamilyPlan& plan, std::uint32_t first_global_node = 0);
+  /// The drag of the elements of `base` in the water of the flow `flow`, both of which must outlive this
+  /// object. The unknowns of the flow are the last node of each element.
+  ElementFamily(const Scene& scene, const FamilyPlan& plan, const ElementFamily& base,
+                const ElementFamily& flow);
   ~ElementFamily();
   ElementFamily(const ElementFamily&) = delete;
   ElementFamily& operator=(const ElementFamily&) = delete;
@@ -46,6 +52,9 @@ class ElementFamily {
   /// First element of each part, and one past the last.
   const std::vector<std::size_t>& part_begin() const { return part_begin_; }
   const void* self() const { return self_; }
+  /// The family whose elements these are once more, with only their drag in water that a flow changes;
+  /// nullptr if these are elements of their own.
+  const ElementFamily* repeated() const;
   /// The arm of the body to which an element belongs: the length that multiplies rotations, so that the
   /// unknowns are lengths [m].
   double arm(std::size_t element) const {
@@ -56,6 +65,8 @@ class ElementFamily {
   /// breaks a rule of the plugin interface, a term returns ERROR, and the outputs throw std::runtime_error.
   int evaluate(const netloft_term& term, netloft_tile& tile) const;
   int output(netloft_tile& tile, double* values) const;
+  /// Asks the elements, which are a flow, for the velocity of the water at up to 64 places.
+  int find_water(netloft_flow_tile& tile) const;
 
   /// The numbers of a table parameter of a scene part, in the memory that elements read; empty if the part
   /// has no such table.
@@ -76,7 +87,7 @@ class ElementFamily {
   /// with respect to velocities or accelerations.
   const std::vector<netloft_term>& terms_of_motion() const { return terms_of_motion_; }
   /// One watch for each law that the elements call.
-  const std::vector<std::unique_ptr<LawWatch>>& law_watches() const { return watches_; }
+  const std::vector<std::unique_ptr<LawWatch>>& law_watches() const;
   /// Whether some active term has this trait, and therefore needs an input from the host.
   bool reads(std::uint32_t trait) const {
     for (const auto& term : terms_)
@@ -107,6 +118,7 @@ class ElementFamily {
   std::vector<double> global_starts_;  // [part][global]
   std::vector<GlobalNode> global_nodes_;
   void* self_ = nullptr;
+  std::unique_ptr<const ChangedWater> changed_water_;  // nullptr: the elements see the water of the scene
 };
 
 }  // namespace netloft

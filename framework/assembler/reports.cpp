@@ -136,15 +136,19 @@ bool ElementReports::outputs(std::span<const double> x, std::size_t family,
   const std::size_t count = f.type().outputs.size();
   values.assign(count, std::vector<double>(f.size()));
   if (!count) return true;
+  // The family whose elements see the water as it is: a flow may change it.
+  std::size_t seen = family;
+  for (std::size_t g = 0; g < elements_.tiles().families.size(); ++g)
+    if (family_at(g).repeated() == &f) seen = g;
   std::vector<double> lines(count * kTileLanes);
   bool all_known = true;
   const auto evaluate = [&](std::size_t, netloft_tile& t, TileSums&) {
-    if (f.output(t, lines.data()) == NETLOFT_OK) return NETLOFT_OK;
+    if (family_at(seen).output(t, lines.data()) == NETLOFT_OK) return NETLOFT_OK;
     std::fill(lines.begin(), lines.end(), std::numeric_limits<double>::quiet_NaN());
     all_known = false;
     return NETLOFT_OK;
   };
-  elements_.visit(x, motion, family, evaluate, [&](std::size_t tile, const netloft_tile& t, const TileSums&) {
+  elements_.visit(x, motion, seen, evaluate, [&](std::size_t tile, const netloft_tile& t, const TileSums&) {
     for (std::size_t k = 0; k < count; ++k)
       std::copy_n(&lines[k * kTileLanes], t.count, &values[k][tile * kTileLanes]);
   });
@@ -155,6 +159,7 @@ std::vector<LawUse> ElementReports::find_law_use(std::span<const double> x, cons
   std::vector<LawUse> uses;
   for (std::size_t f = 0; f < elements_.tiles().families.size(); ++f) {
     const ElementFamily& family = family_at(f);
+    if (!family.reads(NETLOFT_READS_CURRENT)) continue;
     for (const auto& watch : family.law_watches()) watch->begin();
     for (std::size_t term = 0; term < family.active_terms().size(); ++term)
       if (family.active_terms()[term].traits & NETLOFT_READS_CURRENT)

@@ -78,6 +78,11 @@ Finding no_force_without_flow(Bench&);
 Finding never_gains_energy(Bench&);
 Finding says_how_much_it_stands_for(Bench&);
 
+// Flows: is the water that they change consistent? (changed_water_checks.cpp)
+Finding water_is_undisturbed_out_of_reach(Bench&);
+Finding water_has_its_derivatives(Bench&);
+Finding water_turns_with_the_current(Bench&);
+
 // Members: do their forces add up to the force of their term? (member_checks.cpp)
 Finding members_make_their_term(Bench&);
 

@@ -179,6 +179,21 @@ const std::vector<Check<Bench>>& table() {
        says_how_much_it_stands_for,
        {"evaluates-without-error"},
        "pass FlowLanes::call the metres of twine or the area of netting of every lane, which are positive"},
+      {"water-is-undisturbed-out-of-reach",
+       water_is_undisturbed_out_of_reach,
+       {"evaluates-without-error"},
+       "water() returns the current where reach is 0"},
+      {"water-has-its-derivatives",
+       water_has_its_derivatives,
+       {"evaluates-without-error"},
+       "the derivatives of the velocity with respect to the current and the unknowns are wrong, or water() "
+       "has a kink or a step"},
+      {"water-turns-with-the-current",
+       water_turns_with_the_current,
+       {"evaluates-without-error"},
+       "no direction of the compass is special: a current that is turned about the vertical changes the "
+       "water "
+       "in the same way, turned"},
       {"starts-no-threads",
        starts_no_threads,
        {},

@@ -175,6 +175,11 @@ Answer Specimen::evaluate_into(const netloft_term& term, const States& states, s
   return answer;
 }
 
+int Specimen::find_water(netloft_flow_tile& tile) const {
+  std::string unheard;
+  return guarded(type_, "flow", nullptr, unheard, [&] { return type_.flow.evaluate(self_, &tile); });
+}
+
 Answer Specimen::outputs(const States& states, std::vector<double>& values) const {
   Answer answer;
   char message[kMessage] = "";

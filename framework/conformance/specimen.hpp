@@ -90,6 +90,10 @@ class Specimen {
   /// Evaluates the outputs of the elements, [output][64]. They are written, not added.
   Answer outputs(const States& states, std::vector<double>& values) const;
 
+  /// Asks the elements, which are a flow, for the velocity of the water. Returns kThrew if the plugin broke a
+  /// rule of the plugin interface.
+  int find_water(netloft_flow_tile& tile) const;
+
   /// Members of elements first … first + count − 1 at the time of the tiles; empty if the plugin failed.
   std::vector<netloft_member> members(std::uint32_t first, std::uint32_t count) const;
 

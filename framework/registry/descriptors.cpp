@@ -214,6 +214,13 @@ void check_globals(const ElementType& e, const std::string& owner, Faults& fault
   }
 }
 
+void check_flow(const ElementType& e, const std::string& owner, Faults& faults) {
+  faults.require(!e.is_flow() || !e.globals.empty(),
+                 owner +
+                     " is a flow without shared unknowns; the host could not find how much it changes the "
+                     "water");
+}
+
 /// Whether elements on a stencil may have members: netloft_member has coefficients for three nodes.
 bool bears_along_lines(std::uint32_t stencil) {
   return stencil == NETLOFT_BAR || stencil == NETLOFT_TRIANGLE || stencil == NETLOFT_BAR_PAIR;
@@ -261,6 +268,7 @@ void read_offers(ElementType& e, Faults& faults) {
   e.globals = read_rows(globals.rows, globals.count);
   e.members = read_offer<netloft_element_members>(extension, NETLOFT_EXT_MEMBERS, e.type, faults);
   e.state_width = read_offer<netloft_memory>(extension, NETLOFT_EXT_MEMORY, e.type, faults).width;
+  e.flow = read_offer<netloft_flow>(extension, NETLOFT_EXT_FLOW, e.type, faults);
   e.rides_on = read_offer<netloft_rider>(extension, NETLOFT_EXT_PAIRS, e.type, faults).rides_on;
 }
 
@@ -301,6 +309,7 @@ ElementType read_element(const netloft_element& raw, const std::string& plugin, 
   read_inputs(e);
   check_laws(e, e.type, faults);
   check_globals(e, e.type, faults);
+  check_flow(e, e.type, faults);
   check_terms(e, e.type, faults);
   check_inputs(e, e.type, faults);
   check_members(e, e.type, faults);

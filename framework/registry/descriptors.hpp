@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <netloft/ext/bodies.h>
+#include <netloft/ext/flow.h>
 #include <netloft/ext/integrator.h>
 #include <netloft/ext/laws.h>
 #include <netloft/ext/members.h>
@@ -72,6 +73,7 @@ struct ElementType {
   std::vector<netloft_law_slot> laws;
   std::vector<netloft_global> globals;
   netloft_element_members members{};  // all zeros: the element has no members
+  netloft_flow flow{};                // all zeros: the element does not change the water
   std::uint32_t state_width = 0;      // numbers that each element remembers
   const char* rides_on = nullptr;  // element on whose pairs the host makes this one; nullptr: users make it
   std::vector<ExtensionInput> inputs;  // inputs of tiles, in the order that the element lists
@@ -82,6 +84,7 @@ struct ElementType {
   int nodes() const { return static_cast<int>(element.stencil & 0xff); }
   int dofs() const { return 3 * (nodes() + (is_on_body() ? 1 : 0) + (globals.empty() ? 0 : 1)); }
   bool is_on_body() const { return element.stencil == NETLOFT_BODY; }
+  bool is_flow() const { return flow.evaluate != nullptr; }
 };
 
 /// A solver type: the plugin's description, checked.

@@ -35,8 +35,14 @@ inline constexpr KnownOutput kPressure{"pressure", "Pa",
                                        "pressure of a catch on netting: shows where to draw the catch"};
 inline constexpr KnownOutput kVolume{"volume", "m3", "volume of a catch in the element"};
 
-inline constexpr std::array kKnown = {kMass,   kTwineArea,   kKnots, kHalfAngle, kDrag,
-                                      kStrain, kNormalForce, kGap,   kPressure,  kVolume};
+inline constexpr KnownOutput kInduction{"induction", "1",
+                                        "fraction of its speed that the water loses in the bag of a net"};
+inline constexpr KnownOutput kMouthArea{"mouth_area", "m2",
+                                        "share of an element in the area through which water enters a bag"};
+
+inline constexpr std::array kKnown = {kMass,     kTwineArea, kKnots,       kHalfAngle,
+                                      kDrag,     kStrain,    kNormalForce, kGap,
+                                      kPressure, kVolume,    kInduction,   kMouthArea};
 
 }  // namespace output
 

@@ -3,6 +3,7 @@
 
 #include <netloft/ext/bodies.h>
 #include <netloft/ext/convex.h>
+#include <netloft/ext/flow.h>
 #include <netloft/ext/integrator.h>
 #include <netloft/ext/members.h>
 #include <netloft/ext/pairs.h>
@@ -15,11 +16,13 @@ namespace netloft {
 
 namespace {
 
-constexpr std::string_view kExtensions[] = {
-    NETLOFT_EXT_BODIES,     NETLOFT_EXT_CONVEX,   NETLOFT_EXT_GROUND,
-    NETLOFT_EXT_INTEGRATOR, NETLOFT_EXT_LAWS,     NETLOFT_EXT_MEMBERS,
-    NETLOFT_EXT_MEMORY,     NETLOFT_EXT_PAIRS,    NETLOFT_EXT_SHARED_UNKNOWNS,
-    NETLOFT_EXT_SOLVER,     NETLOFT_EXT_STRATEGY, NETLOFT_EXT_WAVES};
+constexpr std::string_view kExtensions[] = {NETLOFT_EXT_BODIES,     NETLOFT_EXT_CONVEX,
+                                            NETLOFT_EXT_FLOW,       NETLOFT_EXT_GROUND,
+                                            NETLOFT_EXT_INTEGRATOR, NETLOFT_EXT_LAWS,
+                                            NETLOFT_EXT_MEMBERS,    NETLOFT_EXT_MEMORY,
+                                            NETLOFT_EXT_PAIRS,      NETLOFT_EXT_SHARED_UNKNOWNS,
+                                            NETLOFT_EXT_SOLVER,     NETLOFT_EXT_STRATEGY,
+                                            NETLOFT_EXT_WAVES};
 
 struct InputOfTraits {
   std::uint32_t traits;

@@ -87,6 +87,9 @@ struct Part {
   std::map<std::string, LawChoice> laws = {};  // laws by name of the slot; absent: the slot's default
   bool companion = false;      // made on the pairs of neighbours of the preceding part of this name
   double viscosity_ratio = 1;  // effective viscosity over that of the water, in models of gears
+  std::optional<std::uint32_t> flow = {};  // index of the part that is a flow (ext/flow.h) and changes the
+                                           // water here; nullopt: the water is undisturbed
+  std::vector<double> reach = {};          // per element: how far it is in reach of the flow, 0 to 1
 };
 
 /// The part for which a node was first created, and the number of the node in that part.

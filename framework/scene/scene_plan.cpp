@@ -19,15 +19,22 @@ bool meets_flow(const Scene& scene, AnalysisKind kind) {
 struct FamilyKey {
   const ElementType* type;
   double viscosity_ratio;
+  std::optional<std::uint32_t> flow;                 // flow that changes the water
   std::vector<std::pair<std::string, Values>> laws;  // type and parameters, slot by slot; empty if none acts
 
   bool operator<(const FamilyKey& other) const {
-    return std::tie(type, viscosity_ratio, laws) < std::tie(other.type, other.viscosity_ratio, other.laws);
+    return std::tie(type, viscosity_ratio, flow, laws) <
+           std::tie(other.type, other.viscosity_ratio, other.flow, other.laws);
   }
 };
 
 FamilyKey key_of(const Part& part, const ElementType& type, bool asks_laws) {
-  FamilyKey key{&type, part.viscosity_ratio, {}};
+  const bool is_plain = !type.is_on_body() && type.globals.empty();
+  const bool is_in_flow =
+      asks_laws && is_plain && std::ranges::any_of(type.terms, [](const netloft_term& term) {
+        return sees_changed_water(term.traits);
+      });
+  FamilyKey key{&type, part.viscosity_ratio, is_in_flow ? part.flow : std::nullopt, {}};
   if (!asks_laws) return key;
   for (const auto& slot : type.laws)
     if (const auto given = part.laws.find(slot.name); given != part.laws.end())
@@ -63,7 +70,7 @@ class FamilySorter {
     const ElementType& type = registry_.element(part.type);
     FamilyKey key = key_of(part, type, asks_laws_);
     if (const auto known = known_.find(key); known != known_.end()) return families[known->second];
-    families.push_back({&type, laws_of(part, key, registry_), {}, 0, {}, {}, part.viscosity_ratio});
+    families.push_back({&type, laws_of(part, key, registry_), {}, 0, {}, {}, part.viscosity_ratio, key.flow});
     known_.emplace(std::move(key), families.size() - 1);
     return families.back();
   }
@@ -94,8 +101,9 @@ std::string all_are_zero(const std::vector<std::string>& names) {
 }
 
 /// Finds the unknowns that the elements of each part share. Some exist only if a certain parameter of the
-/// part is not zero.
+/// part is not zero, and none if no term is active that could determine them.
 void find_globals(FamilyPlan& family, const Scene& scene) {
+  if (std::ranges::none_of(family.terms, &TermPlan::on)) return;
   for (const auto part : family.parts)
     for (const auto& g : family.type->globals)
       if (!g.needs || sets(scene.parts[part], *family.type, g.needs))
@@ -110,6 +118,25 @@ void check_globals(const FamilyPlan& family, const ScenePlan& plan, const Scene&
   throw SceneError({{scene.parts[first.part].name,
                      "its " + first.name + " is an unknown (" + first.doc +
                          "): a scene with such an unknown needs analysis.tangent = \"exact\""}});
+}
+
+/// Refuses flows in motions: the water behind a gear follows a change of its speed with a delay, which no
+/// flow describes.
+void check_flow(const FamilyPlan& family, const ScenePlan& plan, const Scene& scene) {
+  if (!family.flow || plan.kind == AnalysisKind::statics) return;
+  const Part& flow = scene.parts[*family.flow];
+  throw SceneError(
+      {{flow.name, flow.type + " describes water that has become steady, so it cannot be used in a motion: "
+                               "the water behind a gear follows with a delay of about the width of the "
+                               "mouth over the speed"}});
+}
+
+/// Adds to the reasons of terms that they see the water as a flow changes it.
+void note_flow(FamilyPlan& family, const Scene& scene) {
+  if (!family.flow) return;
+  for (TermPlan& term : family.terms)
+    if (term.on && sees_changed_water(term.traits))
+      term.reason += "; the water is that of " + scene.parts[*family.flow].name;
 }
 
 TermPlan decide(const netloft_term& term, const FamilyPlan& family, const Scene& scene, AnalysisKind kind) {
@@ -174,13 +201,15 @@ ScenePlan make_scene_plan(const Scene& scene, Registry& registry, TangentChoice 
     family.elements += scene.parts[p].nodes.size() / static_cast<std::size_t>(family.type->nodes());
   }
   for (auto& family : plan.families) {
-    find_globals(family, scene);
-    check_globals(family, plan, scene);
     for (const auto& term : family.type->terms) {
       family.terms.push_back(decide(term, family, scene, kind));
       note_traits(plan, family, family.terms.back());
       plan.conservative &= !family.terms.back().on || (term.traits & NETLOFT_CONSERVATIVE);
     }
+    find_globals(family, scene);
+    check_globals(family, plan, scene);
+    check_flow(family, plan, scene);
+    note_flow(family, scene);
     plan.unknowns += family.globals.size();
   }
   count_unknowns(plan, scene);

@@ -45,8 +45,17 @@ struct FamilyPlan {
   std::size_t elements = 0;
   std::vector<TermPlan> terms;
   std::vector<GlobalPlan> globals = {};
-  double viscosity_ratio = 1;  // ratio of viscosities, the same for all its parts
+  double viscosity_ratio = 1;              // ratio of viscosities, the same for all its parts
+  std::optional<std::uint32_t> flow = {};  // index of the scene part that changes the water here, if any
 };
+
+/// Whether a term sees the water as a flow changes it: it is drag and depends on the velocity of the water
+/// relative to the element only, so that its derivative with respect to the current is minus that with
+/// respect to the velocity.
+inline bool sees_changed_water(std::uint32_t traits) {
+  constexpr std::uint32_t kDragOnMoving = NETLOFT_IS_DRAG | NETLOFT_READS_CURRENT | NETLOFT_READS_VELOCITY;
+  return (traits & kDragOnMoving) == kDragOnMoving && !(traits & NETLOFT_SYMMETRIC);
+}
 
 /// The families, terms and matrix properties that a scene needs. Nothing else is loaded, evaluated or
 /// factorised.

@@ -74,6 +74,7 @@ std::vector<double> VariantProblems::transfer(unsigned from, std::span<const dou
   auto moved = target->assembler->displacements(carried);
   if (source->scene->bodies.size() == target->scene->bodies.size())
     target->assembler->take_rotations(*source->assembler, x, moved);
+  target->assembler->take_shared_unknowns(*source->assembler, x, moved);
   return moved;
 }
 

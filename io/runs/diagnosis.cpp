@@ -107,6 +107,7 @@ class Diagnosis {
 
   void say_folded() {
     for (const auto& family : assembler_.families()) {
+      if (family->repeated()) continue;
       std::map<std::uint32_t, int> folds;
       if (family->nodes_per_element() == 2) count_folds_of_ropes(*family, folds);
       if (family->nodes_per_element() == 3) count_folds_of_netting(*family, folds);

@@ -31,10 +31,13 @@
 //   static std::array<Member, N> members(const Parameters&, const Data&, double time);
 //
 // The term whose force is exactly that of the members has the trait `of_members`.
+//
+// An element whose shared unknowns describe how the gear changes the water is a flow: see flow.hpp.
 #pragma once
 #include <netloft/ext/pairs.h>
 #include <netloft/ext/shared_unknowns.h>
 #include <netloft/element_calls.hpp>
+#include <netloft/flow.hpp>
 #include <netloft/offers.hpp>
 #include <netloft/parameters.hpp>
 
@@ -96,6 +99,10 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
       required_.push_back(NETLOFT_EXT_BODIES);
     else if constexpr (E::stencil > 0xff)
       required_.push_back(NETLOFT_EXT_PAIRS);
+    if constexpr (detail::IsFlow<E>) {
+      required_.push_back(NETLOFT_EXT_FLOW);
+      offers_.template one<netloft_flow>(NETLOFT_EXT_FLOW).evaluate = &detail::evaluate_flow<E>;
+    }
   }
 
   /// Declares a number that every element has, and its unit.

@@ -20,8 +20,8 @@ namespace {
 
 // Tables that belong to scenes, keys of [gear] for the division into elements, and tables that belong to
 // plans.
-constexpr const char* kOfScenes[] = {"water", "tow",      "bed",     "parts",
-                                     "hold",  "analysis", "results", "elements"};
+constexpr const char* kOfScenes[] = {"water",    "tow",     "bed",      "parts", "hold",
+                                     "analysis", "results", "elements", "flow"};
 constexpr const char* kOfModels[] = {"extent", "nodes", "size", "finer"};
 constexpr const char* kOfPlans[] = {"gear", "panels", "ropes",
                                     "hang", "floats", "points"};  // a ship and bodies alone make no plan

@@ -151,6 +151,11 @@ void put_gear(Json& scene) {
   put(scene, "floats", plan_schema("net plan: floats, weights and ground gear", false), false);
   put(scene, "points", plan_schema("net plan: points that ropes lead to", false), false);
   put(scene, "hang", plan_schema("net plan: edges on ropes", true), false);
+  put(scene, "flow",
+      {{"type", "object"},
+       {"properties", {{"type", text("how the gear changes the water: flow/momentum, or none")}}},
+       {"description", "net plan: water that the net slows"}},
+      false);
   put(scene, "ship",
       {{"type", "object"}, {"description", "net plan: the ship that tows, with its blocks, warps and path"}},
       false);

@@ -78,6 +78,7 @@ void Answer::find_elements() {
       results::ask_elements(scene, assembler, solution_.x, results::at_rest(solution_), false);
   for (std::size_t f = 0; f < assembler.families().size(); ++f) {
     const ElementFamily& family = *assembler.families()[f];
+    if (family.repeated()) continue;
     const auto corners = static_cast<std::size_t>(family.nodes_per_element());
     for (std::size_t p = 0; p < family.parts().size(); ++p) {
       const std::size_t begin = family.part_begin()[p], end = family.part_begin()[p + 1];

@@ -47,7 +47,8 @@ Amount amount_of(const GearView& gear, std::uint32_t panel) {
   amount.twine_area = sum(gear.output(panel, output::kTwineArea));
   amount.mass = sum(gear.output(panel, output::kMass));
   for (const auto& family : gear.assembler().families())
-    if (family->type().element.stencil == NETLOFT_TRIANGLE) add_triangles(gear, *family, panel, amount);
+    if (family->type().element.stencil == NETLOFT_TRIANGLE && !family->repeated())
+      add_triangles(gear, *family, panel, amount);
   return amount;
 }
 

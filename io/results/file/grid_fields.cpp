@@ -16,6 +16,7 @@ namespace {
 /// are between nodes of their own part, on single nodes, or on origins of bodies. Elements on the nodes or
 /// elements of other parts get no cells, because they would hide those parts.
 bool is_drawn(const scenes::LoadedScene& loaded, const ElementFamily& family) {
+  if (family.repeated()) return false;
   if (family.type().element.stencil == NETLOFT_NODE || family.type().is_on_body()) return true;
   return family.type().element.stencil <= 0xff && !loaded.parts[family.parts()[0]].nodes.empty();
 }
@@ -92,7 +93,7 @@ class CellsOfFamilies {
     const ElementFamily& family = *assembler_.families()[f];
     const bool is_own = is_drawn(loaded_, family);
     std::vector<std::size_t> cells;
-    if (!is_own && family.type().element.stencil != NETLOFT_TRIANGLE) return cells;
+    if (family.repeated() || (!is_own && family.type().element.stencil != NETLOFT_TRIANGLE)) return cells;
     for (std::size_t e = 0; e < family.size(); ++e) {
       const auto there = is_own ? between_.end() : between_.find(nodes_of(family, e));
       cells.push_back(is_own ? first_[f] + e : there == between_.end() ? kNoCell : there->second);

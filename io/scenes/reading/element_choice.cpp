@@ -35,6 +35,22 @@ std::vector<int> nodes_per_element(std::span<const ElementType* const> types) {
 }
 
 const ElementType* ElementChoice::find(const std::string& name, formats::TableReader& table) const {
+  const ElementType* type = look_up(name, table);
+  if (!type || !type->is_flow()) return type;
+  table.error("type", name + " changes the water, and is no part of a gear",
+              "[flow] type = \"" + name + "\" uses it");
+  return nullptr;
+}
+
+const ElementType* ElementChoice::find_flow(const std::string& name, formats::TableReader& table) const {
+  const ElementType* type = look_up(name, table);
+  if (!type || (type->is_flow() && type->element.stencil == NETLOFT_BAR)) return type;
+  table.error("type", name + " does not change the water",
+              "use flow/momentum, or none for undisturbed water");
+  return nullptr;
+}
+
+const ElementType* ElementChoice::look_up(const std::string& name, formats::TableReader& table) const {
   if (name.empty()) return nullptr;
   try {
     return &registry_.element(name);

@@ -24,8 +24,10 @@ class ElementChoice {
   ElementChoice(Registry& registry, bool& refused) : registry_(registry), refused_(refused) {}
 
   /// The element type of this name. If there is none, returns nullptr and reports this at the key `type`; if
-  /// the name is empty, returns nullptr without a report.
+  /// the name is empty, returns nullptr without a report. A flow, which changes the water, is no part of a
+  /// gear: find() refuses it, and find_flow() refuses everything else.
   const ElementType* find(const std::string& name, formats::TableReader& table) const;
+  const ElementType* find_flow(const std::string& name, formats::TableReader& table) const;
   /// The companions of an element type: element types of its plugin that the program adds to every part of
   /// this type, on the elements of the part. For example, bending is added to the bars of a rope.
   std::vector<const ElementType*> companions_of(const ElementType& type) const;
@@ -33,6 +35,7 @@ class ElementChoice {
   void read(const ElementType& type, formats::TableReader& table, Part& part) const;
 
  private:
+  const ElementType* look_up(const std::string& name, formats::TableReader& table) const;
   std::vector<netloft_parameter> parameters_with_companions(const ElementType& type) const;
   std::map<std::string, LawChoice> read_laws(const ElementType& type, formats::TableReader& table) const;
   const LawType* find_law(const std::string& name, formats::TableReader& table, const char* key) const;

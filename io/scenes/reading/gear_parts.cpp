@@ -425,6 +425,50 @@ bool GearParts::sinks_into_bed(const std::set<std::uint32_t>& carried) const {
   });
 }
 
+/// The only rope with a role that lies in the middle; nullptr if there is none.
+const gears::RopeMesh* GearParts::rope_of_role(std::string_view role) const {
+  for (std::size_t r = 0; r < gear_.ropes.size(); ++r)
+    if (gear_.ropes[r].rope->role == role && gear_.ropes[r].rope->stands == gears::Standing::middle)
+      return &mesh().ropes[r];
+  return nullptr;
+}
+
+/// Whether a panel is a wing: a side of it hangs on the headline or the footrope, so that it lies ahead of
+/// the mouth with free water on both of its faces.
+bool GearParts::is_wing(const gears::GearPanel& panel) const {
+  return std::ranges::any_of(plan_.hangings, [&](const gears::Hanging& hanging) {
+    const gears::Rope* rope = plan_.find_rope(hanging.rope);
+    if (!rope || (rope->role != "headline" && rope->role != "footrope")) return false;
+    return std::ranges::any_of(panel.panel->outline.edges, [&](const gears::OutlineEdge& edge) {
+      const bool is_side = edge.kind == gears::EdgeKind::inner || edge.kind == gears::EdgeKind::outer;
+      return is_side && hanging.edge == panel.panel->name + "." + edge.name;
+    });
+  });
+}
+
+std::optional<Bag> GearParts::bag() const {
+  const gears::RopeMesh *headline = rope_of_role("headline"), *footrope = rope_of_role("footrope");
+  if (!headline || !footrope) return {};
+  Bag bag;
+  for (const auto node : footrope->nodes) bag.rim.push_back(scene_node(node));
+  for (auto node = headline->nodes.rbegin(); node != headline->nodes.rend(); ++node)
+    bag.rim.push_back(scene_node(*node));
+  for (std::size_t p = 0; p < gear_.panels.size(); ++p)
+    (is_wing(gear_.panels[p]) ? bag.ahead : bag.behind).push_back(draft_.out.gear->panels[p]);
+  const auto bears_netting = [&](const gears::Rope& rope) {
+    return std::ranges::any_of(plan_.hangings,
+                               [&](const auto& hanging) { return hanging.rope == rope.name; });
+  };
+  for (std::size_t r = 0; r < gear_.ropes.size(); ++r)
+    if (bears_netting(*gear_.ropes[r].rope)) bag.ahead.push_back(draft_.out.gear->ropes[r]);
+  for (std::size_t i = 0; i < gear_.pieces.size(); ++i) {
+    const gears::GearRope* rope = gear_.find_rope(gear_.pieces[i].rope);
+    if (rope ? bears_netting(*rope->rope) : !gear_.pieces[i].edges.empty())
+      bag.ahead.push_back(draft_.out.gear->pieces[i]);
+  }
+  return bag;
+}
+
 void GearParts::add_holds() {
   hold_middle();
   hold_blocks();

@@ -38,6 +38,7 @@ class GearParts : public GearSteps {
   std::vector<std::pair<std::string, formats::Value>> contacts(
       const std::set<std::uint32_t>& carried) const override;
   bool sinks_into_bed(const std::set<std::uint32_t>& carried) const override;
+  std::optional<Bag> bag() const override;
   void add_holds() override;
   void follow_holds() override;
   void refuse_motions() const override;
@@ -64,6 +65,8 @@ class GearParts : public GearSteps {
   void add_parts();
   /// Records that a part has a node of the gear.
   void own(std::uint32_t gear_node, const Joiner::OwnNode& node);
+  const gears::RopeMesh* rope_of_role(std::string_view role) const;
+  bool is_wing(const gears::GearPanel& panel) const;
   void hold_middle();
   void hold_blocks();
   void name_points();

@@ -4,12 +4,23 @@
 #include "io/scenes/reading/draft.hpp"
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 
 namespace netloft::scenes {
 
 class PartReader;
+
+/// The bag of a net: the rim of its mouth, and the parts of the net whose drag slows the water.
+struct Bag {
+  /// Nodes of the scene along the rim: the footrope from port (in half a gear from the middle) to starboard,
+  /// then back along the headline. The first node follows the last.
+  std::vector<std::uint32_t> rim;
+  // Indices of parts: the netting behind the mouth, and what meets the water before: wings, ropes on which
+  // netting hangs, and what these carry.
+  std::vector<std::uint32_t> behind, ahead;
+};
 
 /// The steps of reading a scene that concern a net plan, in their order. In this class, for a scene without a
 /// net plan, they do nothing; GearParts implements them for a plan.
@@ -45,6 +56,9 @@ class GearSteps {
   /// Whether a towed gear would sink into the bed, because not all of its footrope has contact. `carried`:
   /// nodes with contact.
   virtual bool sinks_into_bed(const std::set<std::uint32_t>&) const { return false; }
+  /// The bag of the net, for flows that slow the water in it; nullopt if the plan has no mouth. Nodes must be
+  /// numbered.
+  virtual std::optional<Bag> bag() const { return {}; }
   /// Holds the plane of symmetry of half a gear, and the blocks of the ship.
   virtual void add_holds() {}
   /// Fits the initial shape to the positions of held nodes.

@@ -10,6 +10,7 @@
 #include "io/gears/plan/recent.hpp"
 #include "io/scenes/reading/analysis.hpp"
 #include "io/scenes/reading/catalogue_parts.hpp"
+#include "io/scenes/reading/flow_reader.hpp"
 #include "io/scenes/reading/gear_parts.hpp"
 #include "io/scenes/reading/hold_reader.hpp"
 #include "io/scenes/reading/join_reader.hpp"
@@ -87,6 +88,7 @@ class SceneReader {
     parts_.read_parts(formats::Presence::optional);
     for (auto& [name, table] : parts_.riders()) riders_.read_undivided(name, table);
     riders_.read_contacts_undivided();
+    flow_.read_undivided();
     if (root_.has("analysis")) out_.analysis = read_analysis(root_.table("analysis"), registry_, refused_);
     for (const char* key : {"join", "hold", "results"}) root_.has(key);
     root_.finish();
@@ -99,6 +101,7 @@ class SceneReader {
     gear_->add_pieces();
     for (auto& [name, table] : parts_.riders()) riders_.read(name, table);
     riders_.read_contacts();
+    flow_.read();
     riders_.add_companions();
   }
 
@@ -134,6 +137,7 @@ class SceneReader {
   PartReader parts_{root_, elements_, draft_, meshes_, *gear_};
   JoinReader joins_{root_, draft_, meshes_, *gear_};
   RiderReader riders_{root_, elements_, draft_, *gear_};
+  FlowReader flow_{root_, elements_, draft_, *gear_};
   HoldReader holds_{root_, draft_, *gear_};
 };
 

@@ -55,6 +55,9 @@ class Guides(WithInstallation):
     def test_law(self):
         self.follow("law.md")
 
+    def test_flow(self):
+        self.follow("flow.md")
+
     def test_solver(self):
         self.follow("solver.md")
         self.assertLessEqual(len(code_lines(self.folder / "descent.cpp")), 30)

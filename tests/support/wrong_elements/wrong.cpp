@@ -3,6 +3,7 @@
 // Elements that are wrong in one place each. The description of an element is the name of the only check that
 // must fail: tests/unit/framework/conformance/wrong_elements_test.cpp reads it.
 #include "tests/support/wrong_elements/drag_by_law.hpp"
+#include "tests/support/wrong_elements/flows.hpp"
 #include "tests/support/wrong_elements/spring.hpp"
 
 #include <algorithm>
@@ -347,6 +348,13 @@ void add(Plugin& plugin, const char* name, const char* found_by) {
   bar<On<Term>>(plugin, name, found_by).template term<Term, Traits>("elastic", "what is wrong");
 }
 
+template <class Flow>
+void add_flow(Plugin& plugin, const char* name, const char* found_by) {
+  auto& flow = bar<FlowOn<Flow>>(plugin, name, found_by);
+  flow.global("slowed", "1", "fraction of the speed that the water loses", nullptr, FlowOn<Flow>::start);
+  flow.template term<typename FlowOn<Flow>::Thrust, from_outside>("thrust", "what is wrong");
+}
+
 struct NeverMade {
   static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
     return evaluate_spring(p, d, s, out);
@@ -404,6 +412,10 @@ NETLOFT_PLUGIN("wrong", "1", "Elements that are wrong in one place each") {
   add<Drag<-1, true>, kWater>(plugin, "gains_energy", "never-gains-energy");
   add<UndampedAtRest, kWater>(plugin, "undamped_at_rest", "missing-inputs-are-zero");
   add<Drag<1, false>, kWater>(plugin, "ignores_motion", "no-force-without-flow");
+  add_flow<RightFlow>(plugin, "right_flow", "nothing");
+  add_flow<SlowsEverywhere>(plugin, "slows_everywhere", "water-is-undisturbed-out-of-reach");
+  add_flow<SlowsInSteps>(plugin, "slows_in_steps", "water-has-its-derivatives");
+  add_flow<SlowsTheNorth>(plugin, "slows_the_north", "water-turns-with-the-current");
   add<DragAtRest, reads_current | needs_flow>(plugin, "undeclared_velocity", "reads-the-inputs-it-declares");
   auto& by_law = bar<DragByLaw>(plugin, "drag_by_law", "says-how-much-it-stands-for");
   by_law.law("drag", NETLOFT_TWINE_LAW, "hydro/morison", "force of the water");

@@ -77,8 +77,8 @@ class SceneBytes {
   }
   void put(const LawChoice& l) { put_all(l.type, l.parameters); }
   void put(const Part& p) {
-    const auto& [name, type, parameters, nodes, data, laws, companion, viscosity_ratio] = p;
-    put_all(name, type, parameters, nodes, data, laws, companion, viscosity_ratio);
+    const auto& [name, type, parameters, nodes, data, laws, companion, viscosity_ratio, flow, reach] = p;
+    put_all(name, type, parameters, nodes, data, laws, companion, viscosity_ratio, flow.value_or(0), reach);
   }
   void put(const NodeLabel& l) { put_all(l.part, l.id); }
   void put(const Course::Knot& k) { put_all(k.t, k.d, k.v); }

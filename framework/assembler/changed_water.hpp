@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "framework/assembler/family.hpp"
+
+namespace netloft {
+
+/// Whether a term of a family is evaluated in the water that a flow changes, by a ChangedWater.
+bool is_in_changed_water(const FamilyPlan& family, const TermPlan& term);
+
+/// The drag of the elements of a family in water that a flow (ext/flow.h) changes. With the residual r(x, v,
+/// c) of an element, the undisturbed velocity U of the water, and the unknowns a and weights g of the flow:
+///   c = w(U, a)                                              velocity of the water at a corner    (1)
+///   R_k += Σ g_k(U) · r                                      part of equation k of the flow       (2)
+///   ∂r/∂c = −∂r/∂v                         drag depends on the relative velocity c − v only       (3)
+///   ∂r/∂a_k = −∂r/∂v ∂w/∂a_k                                                                      (4)
+///   ∂R_k/∂x = Σ (g_k · ∂r/∂x + r · ∂g_k/∂U ∂U/∂x),   ∂R_k/∂a_l = Σ g_k · ∂r/∂a_l                  (5)
+/// The sums are over the corners of the element. Equation k does not depend on the velocities of the nodes,
+/// because the water behind a gear does not follow short motions.
+class ChangedWater {
+ public:
+  /// `base`: the elements; `flow`: the family of the flow.
+  ChangedWater(const Scene& scene, const FamilyPlan& plan, const ElementFamily& base,
+               const ElementFamily& flow);
+
+  /// The type of these elements: the terms of the base that see the water, and the unknowns of the flow.
+  const ElementType& type() const { return type_; }
+  const ElementFamily& base() const { return base_; }
+  /// The node of the unknowns of the flow.
+  std::uint32_t node() const;
+  int evaluate(const netloft_term& term, netloft_tile& tile) const;
+  /// Outputs of the base, in the changed water.
+  int output(netloft_tile& tile, double* values) const;
+
+ private:
+  struct Places;
+  struct Tangents;
+  int find_places(const netloft_tile& tile, Places& places) const;
+  void add_forces(const netloft_tile& tile, const Places& places, const double* force) const;
+  void add_tangents(const netloft_tile& tile, const Places& places, const Tangents& tangents) const;
+  void add_equations(const netloft_tile& tile, const Places& places, const Tangents& tangents,
+                     const double* force) const;
+
+  const ElementFamily& base_;
+  const ElementFamily& flow_;
+  ElementType type_;
+  std::size_t corners_, unknowns_;
+  std::uint32_t flow_part_ = 0;  // index of the flow's part within its family
+  std::vector<double> reach_;    // of each element
+};
+
+}  // namespace netloft

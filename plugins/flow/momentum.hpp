@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <netloft/element.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace netloft::flows {
+
+/// Water that a bag of netting slows, by the balance of momentum of an actuator disc that spans its mouth.
+/// The elements are the bars along the rim of the mouth, in the order of a closed curve that runs
+/// counter-clockwise if the water flows towards the reader; they share the induction factor a:
+///   w = U (1 − s a)                             velocity of the water in reach of the bag          (1)
+///   Σ C_T(a) ½ ρ V² (V ΔA) − Σ U·F = 0           thrust of the disc = drag of the net, times V       (2)
+///   C_T = 4a (1 − a)  if a ≤ 0.4,  else 8/9 − 4a/9 + 14a²/9                                        (3)
+///   V ΔA = ½ (η₀ + η₁)(z₁ − z₀),  η = U_x y − U_y x   share of a bar in the area of the mouth, times V  (4)
+/// U [m/s] is the undisturbed velocity, V that at the bar, s the reach of the bag (1 behind the mouth, 0 in
+/// free water), F [N] the drag of the net at a corner, which the host computes with w. In a uniform current,
+/// (2) divided by V is the balance of thrust and drag along the current; with the factor V, it is regular in
+/// still water. By Green's theorem, the sum of V³ ΔA over the rim is the integral of V³ over the mouth, also
+/// if the current changes with depth. In half a gear, the rim ends in the plane of symmetry y = 0, which adds
+/// nothing to the area; both sides of (2) are then halves. The wings and the ropes of the net meet the water
+/// before it is slowed, but their drag slows the water that enters the mouth, too.
+/// Sources: (1) to (3) for a ≤ 0.4 H. Glauert, Airplane propellers, in: W. F. Durand (ed.), Aerodynamic
+/// Theory IV, 1935; beyond, the empirical branch of M. L. Buhl, A new empirical relationship between thrust
+/// coefficient and induction factor for the turbulent windmill state, NREL/TP-500-36834, 2005, without tip
+/// losses. Both have the same value and slope at a = 0.4. Range: steady towing. A bag that is long compared
+/// with its mouth slows the water less than (1) at its front and more at its aft end.
+struct Momentum {
+  static constexpr auto stencil = NETLOFT_BAR;
+  static constexpr int globals = 1;  // shared unknown: a
+  struct Parameters {
+    double start = 0;  // initial guess of a
+  };
+  struct Data {};
+
+  static double start(const Parameters& p, const Family<Momentum>::None&) { return p.start; }
+
+  template <class T>
+  static Vec3<T> water(const Parameters&, const Vec3<T>& current, const std::array<T, 1>& a, double reach) {
+    return (1.0 - reach * a[0]) * current;  // (1)
+  }
+  template <class T>
+  static Vec3<T> weight(const Parameters&, const Vec3<T>& current, double, int) {
+    return current;  // U of (2)
+  }
+  template <class T>
+  static T thrust(const T& a) {  // (3)
+    if (a < T(0.4)) return 4.0 * a * (1.0 - a);
+    return 8.0 / 9 + a * (-4.0 / 9 + (14.0 / 9) * a);
+  }
+  /// V ΔA of (4), for the current U at the bar [m3/s].
+  template <class T>
+  static T flux(const Vec3<T>& from, const Vec3<T>& to, const Vec3<T>& U) {
+    const auto across = [&](const Vec3<T>& x) { return U.x * x.y - U.y * x.x; };
+    return 0.5 * (across(from) + across(to)) * (to.z - from.z);
+  }
+  /// ΔA of (4) [m2].
+  static double area(const State<3>& s) {
+    const Vec3<double> U = 0.5 * (s.current[0] + s.current[1]);
+    const double speed = std::hypot(U.x, U.y);
+    return speed > 0 ? flux(s.x[0], s.x[1], U) / speed : 0;
+  }
+
+  struct Thrust {
+    template <class T>
+    static Points<T, 3> force(const Parameters&, const Data&, const MovingNodes<T, 3>& m) {
+      const Vec3<T> U = 0.5 * (m.current[0] + m.current[1]);
+      const T q = (0.5 * m.water.density) * (U.x * U.x + U.y * U.y);
+      Points<T, 3> out{};
+      out[2].x = -(thrust(m.x[2].x) * q * flux(m.x[0], m.x[1], U));  // minus the residual (2)
+      return out;
+    }
+  };
+};
+
+}  // namespace netloft::flows

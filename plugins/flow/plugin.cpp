@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/flow/momentum.hpp"
+
+using netloft::flows::Momentum;
+
+NETLOFT_PLUGIN("flow", "0.1.0", "Water that a gear changes") {
+  auto& m = plugin.element<Momentum>(
+      "momentum", "Water that the netting of a bag slows: the drag behind the mouth is the thrust of a disc");
+  m.real("start", &Momentum::Parameters::start, "1", "initial guess of the induction factor",
+         {.lo = 0, .hi = 1, .fallback = 0});
+  m.global("induction", "1", "induction factor: fraction of the speed that the water loses in the bag",
+           nullptr, Momentum::start);
+  m.term<Momentum::Thrust, netloft::from_outside | netloft::needs_flow | netloft::reads_current>(
+      "thrust", "thrust of the mouth, which the drag of the netting in its reach balances");
+  m.output("mouth_area", "m2", "share of the bar in the area of the mouth across the current",
+           [](auto&, auto&, auto& s) { return Momentum::area(s); });
+  m.output("induction", "1", "fraction of the speed that the water loses in the bag",
+           [](auto&, auto&, auto& s) { return s.x[2].x; });
+  m.output(
+      "beyond_disc", "1",
+      "a bag that takes more than four tenths of the speed, for which the balance of momentum is an "
+      "empirical curve",
+      [](auto&, auto&, auto& s) { return s.x[2].x > 0.4 ? 1.0 : 0.0; }, netloft::OutputRole::doubt);
+}
