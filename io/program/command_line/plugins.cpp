@@ -46,8 +46,8 @@ void add_new_command(CLI::App& app, Chosen& chosen) {
                                new_command);
   make.add_option("KIND", o.kind, "a trawl of two or four panels, or what the plugin holds")
       ->required()
-      ->check(
-          CLI::IsMember({"two-panel", "four-panel", "element", "flow", "law", "solver", "integrator", "strategy"}));
+      ->check(CLI::IsMember(
+          {"two-panel", "four-panel", "element", "flow", "law", "solver", "integrator", "strategy"}));
   make.add_option("NAME", o.name, "its name, such as otter_board")->required();
   as_word(make.add_option("-o,--output", o.output, "folder; default: the name, in this folder"), "FOLDER");
 }
