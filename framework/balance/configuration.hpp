@@ -30,10 +30,10 @@ struct StepProblem {
   Ends* between = nullptr;
 };
 
-/// Positions and rates of the nodes at displacements u of the unknowns. Either u belongs to a step in time
-/// (1), and rates follow from u; or the scene is at rest, and u is relative to its start or to positions near
-/// the equilibrium. In the last case, x_low has the digits that rounding removes from the positions x, so
-/// that differences of positions are more accurate.
+/// Positions and rates of the nodes at displacements u of the unknowns. In a step in time (1), the rates
+/// follow from u. At rest, u is relative to the start of the scene, or to positions near the equilibrium; in
+/// this last case, x_low has the digits that rounding removes from the positions x, so that differences of
+/// positions are more accurate.
 class Configuration {
  public:
   explicit Configuration(Assembler& assembler) : assembler_(assembler), x_(assembler.start()) {}

@@ -31,9 +31,9 @@ inline constexpr double kTolerance = 1e-10;
 /// No gear with an infinite load has converged.
 Convergence convergence_of(const Imbalance& i, double tolerance);
 
-/// Whether an iteration may stop. At round-off, it continues as long as the residual falls at least by half
-/// from one point to the next. Rounding error does not fall like this: the residual is then an imbalance of
-/// soft parts, which the rounding errors of stiff parts hide.
+/// Whether an iteration may stop. At round-off, it continues as long as each point has at most half the
+/// residual of the previous one. Rounding errors do not fall like this; such a residual is an imbalance of
+/// soft parts that the rounding errors of stiff parts hide.
 bool may_stop(Convergence c, double residual, double residual_before);
 
 /// Whether to accept a residual that no step reduces, because twines alternate between slack and taut. The

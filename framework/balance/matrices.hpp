@@ -34,7 +34,8 @@ class Matrices {
   /// evaluated.
   bool row_sums(int matrix, double shift, double* y);
 
-  /// Gives away the array of a matrix, for its memory. The matrix has then not been evaluated.
+  /// Moves the array of a matrix to the caller, who can use its memory. The matrix then counts as not
+  /// evaluated.
   std::vector<double> give_away(MatrixKind kind) { return std::exchange(slots(kind), {}); }
 
   /// Evaluates the linear stiffness M if this has not been done yet.

@@ -287,9 +287,9 @@ double StaticProblem::rounding_at(std::int32_t unknown, std::span<const double> 
   return 4 * std::numeric_limits<double>::epsilon() * stiffness * configuration_.rounded_length(x[i]);
 }
 
-/// If a load F is in balance after its node has moved by d, a stiffness of F/d resists it. The load itself
-/// gives a gear of length L the stiffness F/L, as weight does for a pendulum. The gear has run away if F/d ≤
-/// kMatters F/L: practically nothing resists the load.
+/// Whether the gear has run away: practically nothing resists the load. If a load F is balanced after its
+/// node has moved by d, something resists it with a stiffness of F/d. A load alone, such as the weight of a
+/// pendulum of length L, resists with the stiffness F/L. The gear has run away if F/d ≤ kMatters F/L.
 bool StaticProblem::has_run_away(std::span<const double> x) const {
   double largest = 0;
   for (std::size_t i = 0; i < x.size(); ++i)

@@ -40,7 +40,7 @@ class Cayley {
   /// whereas zᵀAz of unit vectors z ranges from 0 to 2. Ritz values may lie anywhere in that range, although
   /// the error estimate (5) of growth.hpp is small.
   bool is_slow(std::complex<double> mu) const { return std::abs(rate(mu)) < sigma_ / kOff; }
-  /// A vector with a component in every direction, the same on every machine.
+  /// A vector with a component in every direction; it has the same values on every machine.
   Eigen::VectorXd start() const;
   /// Whether the expected error of K could stop the growth at rate s along y. This error is the rounding
   /// error of K, or, if s is real, the change of K over the remaining Newton step δ. δ is limited to

@@ -4,7 +4,7 @@
 
 namespace netloft {
 
-/// A node moves with a growing motion if its amplitude is at least this fraction of the largest one.
+/// Least amplitude, as a fraction of the largest one, at which a node counts as moving with a growing motion.
 inline constexpr double kMoves = 0.1;
 
 /// The amplitude of each node in a motion with the shape `mode` and, a quarter of a period later,

@@ -20,9 +20,9 @@ constexpr double kLeastSigma = 1e-3, kOtherSigma = 1.3;
 // Number of steps of the Arnoldi iteration, doubled once if they do not decide. If powers of A decide
 // instead, growth is measured over this number of powers, at most this number of times.
 constexpr int kSteps = 24;
-// Ritz values further beyond the unit circle than this are examined. For a growth that is just more than
-// marginal, |μ| − 1 is twice this number if σ differs from |s| by the factor kOff, and ten times this number
-// at σ = |s|. Growth by powers that falls by this fraction between two measurements may be transient.
+// Distance from the unit circle beyond which Ritz values are examined. For a growth that is just more than
+// marginal, |μ| − 1 is ten times this number at σ = |s|, and twice this number if σ differs from |s| by the
+// factor kOff. Growth of powers that falls by this fraction between two measurements may be transient.
 constexpr double kDistanceFromCircle = (kMarginalGrowth - 1) / kOff;
 // The ratio c = Re s/|s| at which |μ| of (6) in growth.hpp is kMarginalGrowth.
 constexpr double kLeastCosine =
@@ -79,7 +79,7 @@ void take_mode(const Eigen::VectorXcd& y, Growth& g) {
 Growth growth_of(const RitzPair& pair, const Cayley& A) {
   const Complex s = A.rate(pair.theta);
   const Eigen::VectorXcd y = pair.vector.head(A.unknowns()).normalized();
-  // Powers of A grew, although the motion of this eigenvalue does not.
+  // Powers of A grew, although the motion of this eigenvalue decays.
   if (!(s.real() > 0)) return {.verdict = GrowthVerdict::marginal};
   Growth g{.verdict = GrowthVerdict::grows};
   const double c = std::min(1.0, s.real() / std::abs(s));

@@ -24,8 +24,8 @@ const double kMetricFraction = std::sqrt(kRoundingOfMatrix * kMatters);
 /// while visit returns true. The pattern must be that of a symmetric matrix, as all patterns of scenes are.
 template <class Visit>
 bool for_pairs(const SparsePattern& p, Visit&& visit) {
-  // In each column, the next entry above the diagonal that was not visited. Visits come in the order of
-  // these.
+  // For each column, the next entry above the diagonal that was not visited; entries are visited in this
+  // order.
   std::vector<std::int32_t> next(p.column_start.begin(), p.column_start.end());
   for (std::int32_t c = 0; c < p.size; ++c)
     for (auto k = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c)]);
@@ -81,8 +81,8 @@ std::vector<double> diagonal_of(const SparsePattern& p, std::span<const double> 
   return diagonal;
 }
 
-/// For each unknown, how fast C drives it instead of damping it [1/s], at least zero: −Re d/m of (6c). In a
-/// pair with a massless unknown, both count with the mass of the other one; a massless unknown has no rate.
+/// For each unknown, the rate at which C drives it [1/s], −Re d/m of (6c); zero if C damps it. In a pair with
+/// a massless unknown, both unknowns get the mass of the other one. A massless unknown alone has no rate.
 std::vector<double> driven_rates(const SparsePattern& p, std::span<const double> C,
                                  std::span<const double> mass) {
   const std::vector<double> damping = diagonal_of(p, C);

@@ -5,18 +5,17 @@
 
 namespace netloft {
 
-// Here, bending stands for all elastic forces that are not tensions or compressions of members: those of
-// meshes that resist opening, and of ropes and netting that resist bending. They have an energy, depend on
-// the shape and act between nodes only. Because their energy is the same for a shape and for its enlargement,
-// it is not convex.
+// Bending, in this header, means every elastic force except the tension and compression of members: netting
+// that resists opening of its meshes, and ropes and netting that resist bending. These forces have an energy
+// and act between nodes only. The energy is not convex: it depends on the shape, but not on its size.
 
 /// Whether some active term of the scene is bending.
 bool resists_bending(const Assembler& assembler);
 
-/// Largest force of bending on a node, along one axis, at displacements u of the unknowns [N]. It is zero
-/// unless bending holds the gear in this shape: unless the tangent of all other forces is not positive
-/// definite. If it is, and nothing in compression bears a load, the shape is the only one under these
-/// forces of bending. All forces must have an energy. Costs one factorisation, which `factors` counts.
+/// Largest force of bending on a node, along one axis, at displacements u of the unknowns [N]; zero if the
+/// tangent of all other forces is positive definite. The other forces then hold the gear in this shape
+/// without bending, and if no compression bears a load, there is no second shape under the same forces of
+/// bending. All forces must have an energy. Costs one factorisation, which `factors` counts.
 double bending_that_holds(Assembler& assembler, std::span<const double> u, Factors& factors);
 
 }  // namespace netloft

@@ -193,9 +193,9 @@ Solution RunningSearch::best() const {
   return s;
 }
 
-/// The best point with an explanation, which only the outermost of nested strategies adds. No explanation is
-/// added if a stage that was cut off already reports an exhausted budget or time limit. An interrupt that
-/// ended the strategy between stages makes the status `interrupted`.
+/// Returns the best point. The outermost of nested strategies also explains why the search ended. No
+/// explanation is added if the last stage already reports an exhausted budget or time limit. After an
+/// interrupt between two stages the status is `interrupted`.
 Solution RunningSearch::explained() const {
   Solution s = best();
   if (is_stationary(s) && equilibria_.has_any()) return s;
@@ -217,10 +217,10 @@ std::uint32_t RunningSearch::size_of(std::uint32_t level) {
   return variant_problem ? static_cast<std::uint32_t>(variant_problem->assembler->pattern().size) : 0;
 }
 
-/// How the strategy ended: the ending of the stage that found the equilibrium or, without an equilibrium, of
+/// Returns how the strategy ended: as the stage that found the equilibrium did or, without an equilibrium, as
 /// the last stage of the scene itself. The stage closest to balance does not decide, because a later stage
-/// that was cut off may be farther from balance. If a strategy solved no stage of its scene although it had
-/// work left, more work would not help, so that its ending is not out_of_work.
+/// may have been cut off farther from balance. A strategy that solved no stage of its scene although work was
+/// left has not run out of work.
 netloft_ending RunningSearch::ending() const {
   const Solution found = best();
   if (is_stationary(found)) return ending_of(found);

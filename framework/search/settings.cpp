@@ -89,9 +89,10 @@ class SettingSearch {
     return true;
   }
 
-  /// Directions of the measurement: first a change of all factors, then for each factor a change opposite to
-  /// that of all previous factors. The reason: if one of two warps is longer than the other, a change of both
-  /// lengths by one factor hardly changes their tensions.
+  /// Directions along which slopes are measured. The first changes all factors alike. Each of the others
+  /// changes one factor against all previous ones. Slopes along single factors would be less accurate: if one
+  /// of two warps is longer than the other, a change of both lengths by one factor hardly changes their
+  /// tensions.
   static MatrixXd directions(Eigen::Index n) {
     MatrixXd all = MatrixXd::Zero(n, n);
     all.col(0).setOnes();

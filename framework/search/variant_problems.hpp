@@ -33,8 +33,8 @@ struct VariantSource {
   int threads = 1;
 };
 
-/// Creates the variants of a scene when they are first requested. Keeps the unmodified scene of each level,
-/// and of the other variants only the last one.
+/// Creates the variants of a scene when they are first requested. Stores the unmodified scene of each level
+/// of mesh, and the last other variant.
 class VariantProblems {
  public:
   explicit VariantProblems(VariantSource source);

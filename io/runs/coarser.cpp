@@ -17,7 +17,8 @@ bool is_divided(const scenes::PartGeometry& part) { return !part.cells.empty(); 
 
 int half_of(int cells) { return (cells + 1) / 2; }
 
-/// Whether a part gets half as many cells: it must have enough of them, and no node that is named by number.
+/// Whether the cells of a part can be halved: it has enough of them, and none of its nodes is named by
+/// number.
 bool can_halve(const scenes::PartGeometry& part, Halved which) {
   if (part.is_numbered) return false;
   const int fewest = part.cells.size() == 1 ? kFewestBars : kFewestAcross;

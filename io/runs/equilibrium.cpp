@@ -98,7 +98,7 @@ void reject_held_up(const scenes::LoadedScene& loaded, const Assembler& assemble
   }
 }
 
-/// Rejects equilibria that only the model has, and not the gear that it represents.
+/// Rejects equilibria that the model has, but the gear that it represents has not.
 void reject_what_is_none(const scenes::LoadedScene& loaded, const Assembler& assembler, Solution& s) {
   if (!is_stationary(s)) return;
   reject_crossed(loaded, assembler, s);

@@ -10,10 +10,11 @@ namespace netloft::runs {
 
 namespace {
 
-// Steps (2) end when one is this fraction of the change. Rounding leaves about as much of it: on trawls with
-// 300 nodes, derivatives of figures differ by 1e-9 from those by equilibria (tests/bench/derivatives.md).
+// The correction steps (2) end when a step is smaller than this fraction of the change. Rounding errors are
+// about as large: on trawls with 300 nodes, derivatives of figures differ by 1e-9 from differences of
+// equilibria (tests/bench/derivatives.md).
 constexpr double kNoMore = 1e-9;
-// Most steps (2). One is enough unless members are slack at one of the places alone.
+// Limit of the correction steps (2). One step is enough unless a member is slack in only one of the scenes.
 constexpr int kMostSteps = 5;
 
 /// Positions of a scene at displacements u of its unknowns.
@@ -41,7 +42,7 @@ bool Tangent::is_defined() const {
   return !scene_.loaded().analysis.settles && scene_.loaded().scene.settings.empty();
 }
 
-/// The residual of a scene where its unknowns have the values of x, and its positions there.
+/// Evaluates the residual of a scene at the unknowns of x. Returns it with the positions in that scene.
 std::optional<Tangent::Point> Tangent::evaluate(PreparedScene& scene, const std::vector<double>& x) {
   std::vector<double> there = placed(scene.assembler(), scene.assembler().displacements_to(x));
   auto residual = residual_at(scene, {there, std::vector<double>(there.size())});
@@ -90,8 +91,8 @@ std::vector<double> difference(std::vector<double> a, const std::vector<double>&
   return a;
 }
 
-/// The first-order motion of all degrees of freedom at positions x when the unknowns move by du. It has all
-/// digits of du, which the difference of two positions has not.
+/// The motion of all degrees of freedom at positions x, to first order, when the unknowns move by du. A
+/// difference of two positions would lose digits of du.
 std::vector<double> motion_of(const Assembler& assembler, const std::vector<double>& x,
                               const std::vector<double>& du) {
   const std::vector<double> none(du.size(), 0.0);
@@ -154,7 +155,8 @@ std::optional<std::vector<double>> Tangent::corrected(PreparedScene& near, const
   return placed(near.assembler(), du);
 }
 
-/// dK du of (3), found between x and x + `fraction` dx in the scene `near`; nullopt if K is not known there.
+/// Computes dK du of (3) from the tangents of the scene `near` at x and at x + `fraction` dx; nullopt if one
+/// of them is not known.
 std::optional<std::vector<double>> Tangent::stiffness_change(PreparedScene& near, double fraction,
                                                              const std::vector<double>& dx,
                                                              const std::vector<double>& du) {

@@ -15,8 +15,8 @@ bool have_same_topology(const PreparedScene& a, const PreparedScene& b);
 struct ExactPlace {
   std::vector<double> x, x_low;
 };
-/// The place `times` dx away from another one, whose x_low may be empty. Differences between neighbouring
-/// places keep all digits of dx.
+/// Moves a place by `times` dx; its x_low may be empty. The difference of two places that were moved from the
+/// same place has all digits of dx.
 ExactPlace moved(const ExactPlace& from, const std::vector<double>& dx, double times);
 
 /// First-order changes of the equilibrium x of a scene when its values change a little. From the scene
@@ -32,9 +32,9 @@ class Tangent {
   /// if K cannot be factorised, or if x cannot be evaluated in one of the scenes. nullopt also if the scene
   /// leaves quantities to the search (Scene::settings), because these would have to change as well.
   std::optional<std::vector<double>> towards(PreparedScene& near);
-  /// The change between two scenes around the scene itself, which divides it: θ, from 0 to 1, is the part
-  /// from the scene to `after`. At one x, a stiff member whose length has changed may be slack in one of the
-  /// scenes. Further steps remove this error of (1), and those of rounding:
+  /// The change between the scenes `before` and `after`, with the scene itself between them at the fraction 1
+  /// − θ of the way. A stiff member may be slack in one of the scenes if its length differs, which makes (1)
+  /// inaccurate. Further steps remove this error and that of rounding:
   ///   K ddx = −(r_after(x + θ dx) − r_before(x + (θ − 1) dx))                             (2)
   /// nullopt as for towards().
   std::optional<std::vector<double>> between(PreparedScene& before, PreparedScene& after, double theta);

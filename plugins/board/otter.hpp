@@ -122,8 +122,8 @@ Coefficients<T> of_table(const Otter::Parameters& p, const Otter::Whole& t, cons
   return c;
 }
 
-/// How much of the coefficients is the plate's: 0 inside the table, rising smoothly to 1 for a flow 20°
-/// beyond its edge.
+/// Fraction of the coefficients that comes from the plate: 0 within the table, rising smoothly to 1 at a flow
+/// 20° beyond its edge.
 template <class T>
 T weight_of_plate(const Otter::Whole& t, const T& alpha, const T& beta) {
   constexpr double kPassage = 0.3490658503988659;  // 20° [rad]

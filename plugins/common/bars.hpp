@@ -88,7 +88,7 @@ inline Status add_elastic(const Lanes& p, netloft_tile& t) {
     add_metric(p, t);
     return Status::ok;
   }
-  // Each loop over the elements (lanes) does one thing only, so that compilers vectorise it.
+  // Every loop over the elements (lanes) contains one operation, so that compilers vectorise it.
   double w[3][kLanes], inverse[kLanes], T[kLanes], k[kLanes], energy[kLanes];
   find_spans(t, w);
   const double(&wx)[kLanes] = w[0], (&wy)[kLanes] = w[1], (&wz)[kLanes] = w[2];

@@ -32,7 +32,7 @@ inline double log(double x) {
   constexpr std::uint64_t kOne = 0x3ff0000000000000, kRootHalf = 0x3fe6a09e00000000,
                           kMantissa = (1ull << 52) - 1;
   const std::uint64_t shifted = std::bit_cast<std::uint64_t>(x) + (kOne - kRootHalf);
-  // With n < 2⁵² in place of its mantissa, the bits of the double 2⁵² are those of 2⁵² + n.
+  // The bits of the double 2⁵² + n are those of 2⁵² with the integer n < 2⁵² added to the mantissa.
   const double k = std::bit_cast<double>((shifted >> 52) | 0x4330000000000000) - (0x1p52 + 1023);
   const double f = std::bit_cast<double>((shifted & kMantissa) + kRootHalf) - 1;
   const double s = f / (2 + f), z = s * s, w = z * z, half = 0.5 * f * f;

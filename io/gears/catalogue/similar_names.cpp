@@ -52,8 +52,9 @@ std::optional<double> diameter_in(const std::string& word) {
   return 1e-3 * millimetres;
 }
 
-/// The name that differs in the fewest letters, also after a word was replaced by a synonym. At most a sixth
-/// of the letters are wrong, or one, because names of other materials differ in few.
+/// The name that differs in the fewest letters, possibly after a word is replaced by a synonym. At most a
+/// sixth of the letters, or one, may be wrong, because names of different materials may differ in few
+/// letters.
 std::optional<std::string> nearest_spelling(const std::string& name, const std::vector<std::string>& names,
                                             const std::vector<Words>& groups) {
   std::optional<std::string> best;
@@ -76,7 +77,7 @@ std::optional<std::string> nearest_spelling(const std::string& name, const std::
   return best;
 }
 
-/// Number of words of a name, without its diameter, of which the name of a part has neither the word nor a
+/// Number of words of a name, without its diameter, for which the name of a part has neither the word nor a
 /// synonym.
 std::size_t other_words(const Words& words, const Words& of_part, const std::vector<Words>& groups) {
   return static_cast<std::size_t>(std::count_if(words.begin(), words.end(), [&](const std::string& word) {
@@ -90,7 +91,7 @@ double diameter_of(const CataloguePart& part) {
   return diameter == part.numbers.end() ? 0 : diameter->second;
 }
 
-/// A part whose name has words of another name.
+/// A part whose name shares words with a name that was looked up.
 struct Similar {
   std::size_t other_words;
   double off;  // difference of the diameters [m]

@@ -4,9 +4,9 @@
 
 namespace netloft::gears {
 
-/// The names of the parts that `name`, which is none of theirs, most likely means: up to three that have its
-/// words, or synonyms of them, with the nearest diameters; or else the one that differs in a few letters; or
-/// else up to three that have some of its words. Empty if nothing is similar.
+/// Proposals for `name`, which no part has: up to three names of parts that have all its words, or synonyms
+/// of them, with the nearest diameters. If there are none, the name that differs in a few letters; or else up
+/// to three names that have some of its words. Empty if nothing is similar.
 std::vector<std::string> similar_names(const std::string& name,
                                        const std::vector<const CataloguePart*>& parts,
                                        const std::vector<std::vector<std::string>>& synonyms);

@@ -294,8 +294,8 @@ class Draughtsman {
     return box;
   }
 
-  /// Draws a scale bar of a round number of metres, about an eighth of the sheet long. Across the gear, it
-  /// stands for half of the stretched width.
+  /// Draws a scale bar. Its length is a round number of metres, about an eighth of the width of the sheet.
+  /// Measured across the gear, the bar represents half of the stretched width.
   void draw_scale() {
     const double wanted = kWidth / 8 / scale_.per_metre, power = std::pow(10, std::floor(std::log10(wanted)));
     const double metres = wanted >= 5 * power ? 5 * power : wanted >= 2 * power ? 2 * power : power;

@@ -11,8 +11,9 @@ namespace {
 constexpr double kMeanLetter =
     0.58;                       // mean width of a letter of Noto Sans over its size; others are narrower
 constexpr double kRim = 4;      // least distance of texts from the edge of the drawing
-constexpr double kBetween = 4;  // distance below which texts of one line look like one text
-// So many texts fill a sheet. Later ones have no free place, and looking for one would only take time.
+constexpr double kBetween = 4;  // texts on one line that are closer than this look like one text
+// Number of texts that fill a sheet. A search for a free place for further texts would take time and find
+// none.
 constexpr std::size_t kMostAvoided = 2000;
 
 double size_of(std::size_t line) { return line == 0 ? Lettering::kNormal : Lettering::kSmall; }

@@ -14,8 +14,8 @@ struct TextBlock {
   formats::Anchor anchor;
 };
 
-/// Writes texts on a drawing of a given width, and knows where texts stand, so that others can avoid them.
-/// The length of a text is estimated, because fonts of readers differ.
+/// Writes texts on a drawing of a given width, and stores their places, so that later texts can avoid them.
+/// Lengths of texts are estimated, because every reader has other fonts.
 class Lettering {
  public:
   static constexpr double kSmall = 10, kNormal = 12, kLeading = 13.6;  // sizes and distance of lines

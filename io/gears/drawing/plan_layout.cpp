@@ -137,8 +137,9 @@ class Sheet {
     double x, y, mirror_about;
   };
 
-  /// Places the panel and all unplaced panels that are sewn, directly or through others, to its fore and aft
-  /// edges. A list, whose last entry is next, replaces recursion: a plan may have very many panels in a row.
+  /// Places the panel and all unplaced panels that are sewn to its fore and aft edges, directly or through
+  /// others. A list of waiting panels, taken from its end, replaces recursion, because a plan may have very
+  /// many panels in a row.
   void place(const Panel& first, double x, double y) {
     std::vector<Next> next{{&first, x, y, mirror_about_}};
     while (!next.empty()) {
@@ -154,9 +155,9 @@ class Sheet {
     }
   }
 
-  /// Whether a panel lies on none of those of the column before it, and remembers its place. A panel that
-  /// lies on another begins a column of its own, such as the lower panel that is sewn to the same tube as the
-  /// upper one.
+  /// Stores the place of a panel unless it overlaps panels of the previous column; returns whether it did. A
+  /// panel that overlaps others begins a new column, such as the lower panel that is sewn to the same tube as
+  /// the upper one.
   bool takes_its_place(const Next& now) {
     const PanelBox own = box_around({now.panel, now.panel->outline, now.x, now.y, false});
     for (const PanelBox& other : taken_)

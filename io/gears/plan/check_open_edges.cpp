@@ -44,7 +44,7 @@ class EdgeUses {
   std::map<std::string, Use> done_;
 };
 
-/// The proposal of other open edges of a panel.
+/// Proposals of other edges that the panel may declare open.
 Cures cures_of_open(const Panel& panel, const std::vector<std::string>& names) {
   formats::Array array;
   for (const auto& name : names) array.items.push_back(as_text(name));

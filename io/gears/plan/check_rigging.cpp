@@ -64,7 +64,8 @@ struct Match {
   double off() const { return second / first / expected - 1; }
 };
 
-/// Other counts of each edge of a row, of which there should be `more`, in the units of the match.
+/// Adds proposals of other counts for the edges of one side of a seam. Each alone would add `more` to this
+/// side, in the units of the match.
 void add_cures_of_row(Cures& cures, const NetPlan& plan, const std::vector<std::string>& row, double more,
                       bool is_counted) {
   formats::Diagnostics silent;
@@ -77,7 +78,8 @@ void add_cures_of_row(Cures& cures, const NetPlan& plan, const std::vector<std::
   }
 }
 
-/// Other counts of the edges of a seam, so that they fit, or the take-up that they have.
+/// Proposals for a seam whose sides do not fit: other counts of its edges, or the take-up ratio that the
+/// sides have.
 Cures cures_of_seam(const NetPlan& plan, const Join& join, const Match& match) {
   Cures cures;
   add_cures_of_row(cures, plan, join.edges[0], match.second / match.expected - match.first, match.is_counted);
@@ -268,7 +270,8 @@ void say_loose(const Rope& rope, double hung, formats::Diagnostics& diagnostics)
       {set(path_of({"ropes", rope.name, "length"}), as_metres(millimetres_above(hung)))});
 }
 
-/// A longer rope, less of it for one of its edges, or fewer meshes along an edge that is hung with a ratio.
+/// Proposals for a rope that is too short: a longer rope, less of the rope for one of its edges, or fewer
+/// meshes along an edge that is hung with a ratio.
 Cures cures_of_length(const NetPlan& plan, const HangingsByRope& hangings, const Rope& rope, double hung) {
   Cures cures = {set(path_of({"ropes", rope.name, "length"}), as_metres(millimetres_above(hung)))};
   formats::Diagnostics silent;

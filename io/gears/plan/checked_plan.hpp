@@ -4,8 +4,8 @@
 
 namespace netloft::gears {
 
-/// Whose hints are tried (tried_cures.hpp). A plan is read and checked again for every trial, so that a run
-/// whose plan has mere warnings does without.
+/// The messages whose proposals are tried (tried_cures.hpp): errors only, or warnings as well. A plan is read
+/// and checked again for every trial; a run saves this work if its plan has only warnings.
 enum class HintTrials { of_errors, of_all };
 
 /// Reads a plan from its tables, checks whether the net can be sewn, and tries what the hints propose.

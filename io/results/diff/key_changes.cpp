@@ -51,8 +51,8 @@ class Comparison {
         changes_.push_back({formats::join_path(path, member.key), "", spell_value(member.value)});
   }
 
-  /// Skips equal items at both ends of the arrays, and compares the others in their order. The indices are
-  /// those of the first array, and for its missing items those of the second.
+  /// Compares the items of two arrays in their order, after skipping equal items at both ends. Indices are
+  /// those of the first array, or of the second for items that the first lacks.
   void compare_items(const std::vector<Value>& a, const std::vector<Value>& b, const std::string& path) {
     std::size_t head = 0, tail = 0;
     const std::size_t fewer = std::min(a.size(), b.size());

@@ -33,8 +33,8 @@ void side_text(const char* which, const Result& result, Out out) {
   fmt::format_to(out, "\n");
 }
 
-// Without --all this many changes of the input and this many figures are printed. With the names of the files
-// and a heading, the most important of both then are in the first ten lines.
+// Numbers of changed inputs and of figures that are printed without --all. Together with file names and a
+// heading, the most important ones fill about ten lines.
 constexpr std::size_t kShownInputs = 3, kShownFigures = 12;
 
 constexpr std::size_t kShownLetters = 100;  // of a value, without --all
@@ -92,7 +92,7 @@ NamedScalar spoken_figure(const NumberDifference& d, double value, double error)
   return in_spoken_unit(figure);
 }
 
-/// The name of a number in words: "headline height" for "gear/mouth/headline_height".
+/// A name of a number in words, for example "headline height" for "gear/mouth/headline_height".
 std::string words_of(const std::string& name) {
   const std::string rest = name.substr(name.find('/') + 1);
   const std::string principal = principal_name(rest);

@@ -20,8 +20,8 @@ FigureChange figure_change(const NumberDifference& difference);
 std::string errors_line(const ResultDiff& diff);
 
 /// The differences as text: the changes of the inputs, then the figures that changed, the most important
-/// first; changes beyond the known errors are marked with `*`. `all` adds the changes that a glance leaves
-/// out, and every number that changed by its name in the file.
+/// first. Changes beyond the known errors are marked with `*`. With `all`, no change is left out, and every
+/// number that changed is listed by its name in the file.
 std::string diff_text(const ResultDiff& diff, bool all);
 
 /// One JSON object with all numbers; unknown values are null.

@@ -162,9 +162,10 @@ bool is_figure(const std::string& name) {
          (name.starts_with("gear/") && !principal_name(name.substr(5)).empty());
 }
 
-/// A difference relative to the larger value; or, if that is within its errors, its fraction of them, so that
-/// noise comes last. A value that is small beside the largest of its unit counts as a hundredth of that one:
-/// a slack rope may pull or not.
+/// The weight of a difference, by which differences are sorted: relative to the larger value or, if it is
+/// within the errors, as a fraction of the errors, so that noise comes last. A value below a hundredth of the
+/// largest of its unit counts as that hundredth, because the small force of a slack rope may change by any
+/// factor.
 double weight_of(const NumberDifference& d, double largest) {
   constexpr double kSmall = 0.01;
   if (std::isfinite(d.error()) && !d.exceeds()) return std::abs(d.difference()) / d.error();

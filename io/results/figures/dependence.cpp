@@ -12,7 +12,7 @@ namespace netloft::results {
 
 namespace {
 
-/// Sets the solver error of every number: the distance to its value after the next Newton step (`after`), and
+/// Sets the solver error of every number: its distance to `after`, the value after the next Newton step, but
 /// at least the rounding unit.
 void note_changes(const std::vector<NamedScalar>& after, std::vector<NamedScalar>& scalars) {
   for (auto& scalar : scalars) {
@@ -80,8 +80,8 @@ Solution swung(const Assembler& assembler, const Solution& s, const std::vector<
   return there;
 }
 
-/// Adds the change of every number along one mode to `per_swing`, as the root of the sum of squares. An
-/// oscillating motion has two modes, a quarter of a period apart; with both of them `per_swing` is the
+/// Adds the change of every number along one mode of a growing motion to `per_swing`, by the root of the sum
+/// of squares. An oscillation has two modes, a quarter of a period apart; after both, `per_swing` is the
 /// amplitude. `way`: distance between the two displaced positions of the node that moves most [m].
 void note_swing(const std::vector<NamedScalar>& to_one_side, const std::vector<NamedScalar>& to_the_other,
                 double way, std::vector<NamedScalar>& scalars) {

@@ -32,9 +32,9 @@ std::vector<Bed> beds_of(const LoadedScene& loaded) {
   return beds;
 }
 
-/// The height of the gear's highest node above a bed [m]. The search stops at the first node that is above
-/// `enough` [m]. It begins at node `first`, and stores the node at which it stopped there, because this node
-/// is likely to be above the next bed, too.
+/// The height of the highest node of the gear above a bed [m]. The search begins at node `first` and stops at
+/// the first node that is higher than `enough` [m]. It stores this node in `first`, because it is likely to
+/// be above the next bed, too.
 double height_above(const Bed& bed, const std::vector<double>& positions, double enough, std::size_t& first) {
   double highest = -std::numeric_limits<double>::infinity();
   const std::size_t nodes = positions.size() / 3;

@@ -110,8 +110,8 @@ Course through(const std::vector<double>& t, const std::vector<Course::Point>& d
   return course;
 }
 
-/// The motion with the velocities v at the times t: velocities are linear in between, and the displacement is
-/// zero at time zero.
+/// The motion whose velocities are v at the times t and linear between them; the displacement is zero at time
+/// zero.
 Course gone(const std::vector<double>& t, const std::vector<Course::Point>& v) {
   Course course;
   for (std::size_t i = 0; i < t.size(); ++i) {

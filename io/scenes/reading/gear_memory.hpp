@@ -26,7 +26,8 @@ struct DividedPanels {
   std::map<std::string, SheetPlace> sheet;  // see GearInScene::sheet
 };
 
-/// Results of steps that are stored between the instances of a scene with a net plan, with their inputs.
+/// Stored results of expensive steps of reading a scene with a net plan, each with its inputs, for later
+/// instances.
 struct GearMemory {
   gears::Divisions divisions;
   /// Parameters of the parts of the plan, by the name of the part.

@@ -250,8 +250,8 @@ bool Holder::agrees(std::uint32_t node, const HoldEntry& entry, const Point& at,
   return true;
 }
 
-/// Whether earlier entries (its grips) move a node along `direction` as `course` does. Courses are cubic
-/// between knots, so that they are equal if they agree at the knots of both.
+/// Whether earlier entries move a node along `direction` in the same way as `course`. Courses are cubic
+/// between knots, so that two courses are equal if they agree at the knots of both.
 bool Holder::moves_alike(std::uint32_t node, const Course& course, const Point& direction) const {
   std::vector<std::pair<Point, const Course*>> parts;  // an axis of the node, times its component along the
                                                        // direction

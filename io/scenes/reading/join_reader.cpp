@@ -62,7 +62,7 @@ bool JoinReader::can_be_joined(const std::vector<Joiner::Ends>& sets, const std:
   return true;
 }
 
-/// The first element that has two of its nodes merged if only the first `number` joins are made.
+/// The first element with two nodes that are merged by the first `number` joins.
 std::optional<Joiner::Collapse> JoinReader::find_collapse(std::size_t number) const {
   formats::hear_interruption();
   Joiner joiner(draft_.geometries);

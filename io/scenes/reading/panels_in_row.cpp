@@ -30,8 +30,8 @@ class PanelsInRow {
   }
 
   /// The number of meshes behind the aft edge of a panel, averaged over the nodes of the edge. The panels
-  /// behind it are counted first. They are kept in a list instead of recursive calls, because the row of
-  /// panels may be very long.
+  /// behind it are counted first. A list of waiting panels replaces recursive calls, because a row of panels
+  /// may be very long.
   double behind(std::size_t panel) {
     std::vector<std::size_t> to_count{panel};
     while (!to_count.empty()) {

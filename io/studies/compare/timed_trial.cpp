@@ -44,7 +44,7 @@ const char* word_for(MarchStatus status) {
   }
 }
 
-/// Runs one motion; positions at every output stay in memory, and no file is written.
+/// Computes one motion. The positions at all outputs stay in memory; no file is written.
 Trial trial_in_time(runs::PreparedScene& fresh, const Method& method, double tolerance,
                     const runs::Watch& watch) {
   Trial t;

@@ -18,7 +18,7 @@ namespace netloft::studies {
 
 namespace {
 
-constexpr double kLittle = 1e-6;  // a change, as a fraction of a range, that must leave the mesh as it is
+constexpr double kLittle = 1e-6;  // change, as a fraction of a range, that must not change the mesh
 
 /// Compares a file with its scene. The member functions are the steps, in the order of execution.
 class OptimumInspection {
@@ -58,8 +58,8 @@ class OptimumInspection {
   }
 
  private:
-  /// The scene with changes; nullptr if it cannot be opened. Its faults are those of `scene_faults_`.
-  /// `like`: a scene whose mesh topology is taken over, or nullptr.
+  /// Opens the scene with changes; nullptr if that fails, with the faults in `scene_faults_`. `like`: a scene
+  /// whose mesh topology is taken over, or nullptr.
   std::shared_ptr<runs::PreparedScene> try_open(const std::vector<formats::Change>& changes,
                                                 const runs::PreparedScene* like = nullptr) {
     runs::CaseSource source = source_;
@@ -71,7 +71,8 @@ class OptimumInspection {
     return state == runs::PreparedScene::State::ready ? scene : nullptr;
   }
 
-  /// The same, but reports faults, those that no key of the file causes at `place`.
+  /// Opens the scene like try_scene(), and reports its faults: at the key of the file that causes them, or
+  /// else at `place`.
   std::shared_ptr<runs::PreparedScene> open(const std::vector<formats::Change>& changes,
                                             const formats::Place& place) {
     const auto scene = try_open(changes);

@@ -17,9 +17,9 @@ struct KnownPoint {
   std::map<std::string, std::vector<double>> slopes = {};  // derivatives of figures, by their names
 };
 
-/// The points of an optimisation in a file of JSON lines, so that an interrupted or killed program solves no
-/// point twice. A line belongs to the scene, the values and the version of the program that its hash
-/// `inputs` covers; lines of other inputs are kept, and so are damaged ones, which count as unknown.
+/// The points of an optimisation, stored in a file of JSON lines, so that a program that is started again
+/// solves no point twice. Each line has the hash `inputs` of the scene, its values and the version of the
+/// program. Lines with other hashes are kept and not used, and so are damaged lines.
 class PointHistory {
  public:
   /// Reads the file, if there is one. Throws formats::ReadError.

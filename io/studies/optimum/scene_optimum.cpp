@@ -21,7 +21,8 @@ namespace netloft::studies {
 
 namespace {
 
-// Limit of iterations from the accepted equilibrium; tests/bench/optimum.md has what fewer cost.
+// Limit of iterations of a solve that starts from the accepted equilibrium; tests/bench/optimum.md has the
+// cost of lower limits.
 constexpr int kIterationsFromAccepted = 100;
 
 /// Changes "path=value" that give the variables these values.
@@ -85,8 +86,8 @@ class FiguresModel : public Model {
     std::unique_ptr<runs::Tangent> tangent;
   };
 
-  /// Provides the equilibrium at the point that was accepted last: it was solved just before, or the history
-  /// had it.
+  /// Makes the equilibrium of the last accepted point available. If its figures came from the history, solves
+  /// it.
   bool restore() {
     if (accepted_.empty() || base_.parameters == accepted_) return true;
     if (last_.parameters != accepted_ && !solve(accepted_)) return false;
@@ -100,7 +101,8 @@ class FiguresModel : public Model {
     return true;
   }
 
-  /// Finds the equilibrium at a point, and stores what is known then. Returns false after an interruption.
+  /// Finds the equilibrium at a point, and stores its figures in the history. Returns false after an
+  /// interruption.
   bool solve(const std::vector<double>& p) try {
     last_ = {p, nullptr, {}, nullptr};
     KnownPoint known{p, {}, {}};
@@ -108,8 +110,8 @@ class FiguresModel : public Model {
     formats::append(source.changes, formats::read_changes(words_of(file_, p)));
     last_.scene =
         std::make_unique<runs::PreparedScene>(std::move(source), registry_, checked_.scene->factorisations());
-    // All points have the mesh topology of the scene at its own numbers, so that figures are functions of the
-    // variables alone, and smooth ones also for counts and mesh sizes.
+    // All points have the mesh topology of the original scene. Figures then depend on the variables alone,
+    // and are smooth even in mesh counts and mesh sizes.
     if (last_.scene->prepare_like(*checked_.scene) != runs::PreparedScene::State::ready) {
       known.reason = first_fault(last_.scene->diagnostics());
     } else {
@@ -127,7 +129,7 @@ class FiguresModel : public Model {
     return false;
   }
 
-  /// Seeks the equilibrium of the last scene, from that of the accepted point if their meshes are equal.
+  /// Finds the equilibrium of the last scene. Starts from the accepted equilibrium if their meshes are equal.
   Solution find() {
     if (!base_.scene || !runs::have_same_topology(*base_.scene, *last_.scene))
       return runs::find_equilibrium(*last_.scene, watch_);
@@ -160,12 +162,12 @@ class FiguresModel : public Model {
   PointHistory& history_;
   const runs::Watch& watch_;
   std::vector<double> accepted_;  // the point that the search accepted last
-  Solved base_, last_;            // the equilibrium there, and the last that was sought
+  Solved base_, last_;            // the accepted equilibrium, and the last that was searched for
   int solves_ = 0;
   std::string trouble_;
 };
 
-/// The two whole multiples of a step between which a number is, the nearest first.
+/// The two whole multiples of a step around a number, the nearest first.
 std::array<double, 2> multiples_beside(double number, double step) {
   const double nearest = std::round(number / step), other = nearest + (nearest * step < number ? 1 : -1);
   const auto multiple = [&](double times) { return std::stod(fmt::format("{:.12g}", times * step)); };

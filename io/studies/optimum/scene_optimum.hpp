@@ -15,7 +15,7 @@ struct SceneOptimum {
   /// The best objective before variables were set to multiples of their steps; nullopt: none was set.
   std::optional<double> unrounded;
   std::vector<StudyFigure> before, after;  // all figures at the start and at the best point; empty: unknown
-  int solves = 0;                          // equilibria that were sought; further ones stood in the history
+  int solves = 0;  // number of searches for an equilibrium; points of the history are not counted
   double cpu_seconds = 0;
   bool is_interrupted = false;
   std::string trouble;  // why the last failed point has no equilibrium
@@ -24,10 +24,10 @@ struct SceneOptimum {
   std::string status() const;
 };
 
-/// Finds the values of the variables at which the objective is best. Every equilibrium is sought from the
-/// last point that the search accepted, whose shape is first moved by its derivatives (runs::Tangent). Points
-/// in `history` are not solved again. After that, variables that have a step are set to a whole multiple of
-/// it one by one, the nearest or else the one on the other side, and the others are sought again. Throws
+/// Finds the values of the variables at which the objective is best. Every solve starts from the equilibrium
+/// at the last accepted point, moved by its derivatives (runs::Tangent). Points in `history` are not solved
+/// again. At the end, variables with a step are rounded one by one: each is fixed at the nearest multiple of
+/// its step, or else at the one on the other side, and the search for the other variables is repeated. Throws
 /// formats::WriteError.
 SceneOptimum optimise_scene(OptimumFile file, CheckedOptimum checked, const std::filesystem::path& folder,
                             Registry& registry, PointHistory& history, const runs::Watch& watch,

@@ -26,9 +26,9 @@ SceneNumber number_of(const Variable& variable, double value);
 /// the scene is solved and reported, not what it is: analysis, results, catalogue, accept and gear.nodes.
 std::vector<SceneNumber> numbers_of(const formats::Value& tables);
 
-/// The real parameters of the parts of a scene that their file, the net plan or the catalogue states, in SI
-/// units, under the paths that override them: "elements.top-wing.twine.diameter" for a part of a net plan,
-/// "parts.net.twine.EA" for another one.
+/// The real parameters of the parts of a scene, in SI units, as far as the file of a part, the net plan or
+/// the catalogue states them. The path of a parameter is the key that overrides it:
+/// "elements.top-wing.twine.diameter" for a part of a net plan, "parts.net.twine.EA" for another part.
 std::vector<SceneNumber> parameters_of(const scenes::LoadedScene& loaded, Registry& registry);
 
 /// The numbers of a scene that `paths` name: each path names a number, or a table or array of numbers. A path

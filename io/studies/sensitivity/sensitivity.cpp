@@ -24,19 +24,18 @@ namespace netloft::studies {
 
 namespace {
 
-/// Step h of (2) in sensitivity.hpp, as a fraction of the number. Measured on two trawls with 300 nodes:
-/// derivatives by steps of 1e-6 and 1e-7 differ by 2e-4 of the largest effect on a figure at most, those by
-/// 1e-7 and 1e-8 by 2e-3, for rounding. With 1e-5, stiff ropes between the positions of the equilibrium
-/// become slack on one side.
+/// Step h of (2) in sensitivity.hpp, as a fraction of the number. On two trawls with 300 nodes, derivatives
+/// by steps of 1e-6 and 1e-7 differ by at most 2e-4 of the largest effect on a figure. Between steps of 1e-7
+/// and 1e-8, rounding makes them differ by 2e-3. With 1e-5, stiff ropes become slack at one end of the step.
 constexpr double kShortStep = 1e-6;
 /// The long step as a multiple of h.
 constexpr double kLongStep = 1000;
-/// If a fold is at the distance s, K corrects the step of 2s along the tangent by half of its length: with
-/// d²x = dx/2s, the correction is ½ (2s)² d²x = s dx. Further corrections grow, because no equilibrium is
-/// there. A correction of less than half of that is that of no fold.
+/// A fold is confirmed if a correction by K has at least this fraction of the length of the step before it.
+/// The step goes twice the distance s to the expected fold. At a fold d²x = dx/2s, so that the correction is
+/// ½ (2s)² d²x = s dx, half of the step; later corrections grow, because no equilibrium is there. Half of
+/// that is the limit.
 constexpr double kTurnOfFold = 0.25;
-/// A number whose effect is a smaller fraction of the largest effect on a figure may be rounding, and does
-/// not count.
+/// Effects below this fraction of the largest effect on a figure may be rounding errors, and are ignored.
 constexpr double kNoEffect = 1e-6;
 
 std::vector<results::NamedScalar> joined(std::initializer_list<std::vector<results::NamedScalar>> lists) {
@@ -45,8 +44,8 @@ std::vector<results::NamedScalar> joined(std::initializer_list<std::vector<resul
   return all;
 }
 
-/// The scenes at p − h and p + h, or why there are none. At an end of the range of the number, the scene
-/// itself takes the place of the one beyond it.
+/// The scenes at p − h and p + h, or the reason why there are none. If p is at an end of its range, the scene
+/// at p replaces the one outside the range.
 struct Neighbours {
   std::shared_ptr<runs::PreparedScene> below = nullptr, above = nullptr;
   double distance = 0;  // difference of the number between both
@@ -90,7 +89,8 @@ class Sensitivity {
  private:
   using Figures = std::vector<results::NamedScalar>;
 
-  /// The differences of all figures over the change of the number. NaN for a figure that one side lacks.
+  /// Derivatives of all figures: their differences, divided by the change of the number. NaN for a figure
+  /// that one of the scenes does not have.
   std::vector<double> divided(const Figures& above, const Figures& below, double by) const {
     std::vector<double> ratios;
     for (const results::NamedScalar& figure : request_.figures) {
@@ -110,7 +110,8 @@ class Sensitivity {
     return numbers ? joined({numbers->scalars, numbers->figures, numbers->reactions}) : Figures{};
   }
 
-  /// Finds what the typical change of a number switches, and refuses it if that reaches a fold.
+  /// Finds which members and nodes the typical change of a number switches. Refuses the number if its typical
+  /// change reaches a fold.
   void find_reach(const Neighbours& near, const std::vector<double>& change, NumberEffect& effect) {
     const double typical = typical_change(effect.number);
     if (!(typical > 0)) return;
@@ -128,9 +129,9 @@ class Sensitivity {
     effect.why_not = why_not_near_fold(effect);
   }
 
-  /// Whether the equilibrium continues to a changed scene, where it is expected at positions y. By the rules
-  /// of Branch for a fold, it does not if the solver fails from there, or ends noticeably elsewhere. True if
-  /// the scene cannot be changed so far.
+  /// Whether the equilibrium exists in a changed scene, at the expected positions y. It does not if the
+  /// solver fails from there or ends at a noticeable distance, as Branch detects a fold. True if the scene
+  /// with these changes is not valid.
   bool goes_on(const std::vector<formats::Change>& changes, const std::vector<double>& y) {
     std::string why_not;
     const auto beyond = open(changes, why_not);
@@ -163,8 +164,8 @@ class Sensitivity {
         effect.fold_at, unit, number.deviation > 0 ? "a standard deviation" : "one percent");
   }
 
-  /// The numbers of a scene at moved(change, times), with all digits of the change: the difference of
-  /// tensions in stiff ropes has not many without them.
+  /// The numbers of a scene at moved(change, times). Uses all digits of the change, which the difference of
+  /// tensions in stiff ropes needs.
   Figures numbers_beside(runs::PreparedScene& scene, const std::vector<double>& change, double times) const {
     runs::ExactPlace place = runs::moved({x_, x_low_}, change, times);
     Solution there;
@@ -172,8 +173,7 @@ class Sensitivity {
     return numbers_at(scene, std::move(there));
   }
 
-  /// The derivatives by the long step, between positions that are predicted from the change over a short
-  /// distance and then corrected.
+  /// The derivatives by the long step: positions are extrapolated from a short step, and then corrected.
   std::vector<double> by_long_step(const SceneNumber& number, double h, const std::vector<double>& change,
                                    double distance) {
     const Neighbours far = neighbours(number, kLongStep * h);

@@ -32,8 +32,9 @@ struct Sensitivities {
   bool is_interrupted = false;  // the effects of further numbers are missing
 };
 
-/// A derivative depends on the step if it changes by more than this fraction of the largest derivative of the
-/// figure (weighed by the numbers), between both steps of `find_sensitivities`.
+/// The derivative of a figure depends on the step if its values by both steps differ by more than this
+/// fraction of the largest derivative of the figure. Derivatives are compared as changes of the figure by one
+/// percent of the number.
 inline constexpr double kSameDerivative = 0.01;
 
 struct SensitivityRequest {
@@ -47,7 +48,7 @@ struct SensitivityRequest {
 
 /// Why a scene has no derivatives: it is a motion, or finds a length by itself. nullopt if it can have some.
 std::optional<std::string> why_no_derivatives(const scenes::LoadedScene& loaded);
-/// The same for the end of its solve: it has none unless the solve converged.
+/// Why the end of a solve allows no derivatives: it did not converge. nullopt if it did.
 std::optional<std::string> why_no_derivatives(const Solution& solution);
 
 /// The derivatives of all figures g(x, p) at the equilibrium x of a scene, where the residual r(x, p) is
@@ -111,7 +112,7 @@ std::vector<const NumberEffect*> ranked_effects(const Sensitivities& found, std:
 /// 0 if no number has a deviation.
 double propagated_deviation(const Sensitivities& found, std::size_t f);
 
-/// Whether the derivative of figure `f` is another one with the long step.
+/// Whether the derivative of figure `f` by the long step differs from that by the short step.
 bool depends_on_step(const Sensitivities& found, const NumberEffect& effect, std::size_t f);
 
 /// For each of the chosen figures a table of the numbers with the largest effects; then the numbers that have

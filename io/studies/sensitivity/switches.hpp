@@ -10,8 +10,9 @@
 
 namespace netloft::studies {
 
-/// Distances from the points at which the stiffness of a scene jumps, at one shape. They are signed: a
-/// derivative holds until one of them changes its sign.
+/// Distances of a shape from the states at which the stiffness of the scene jumps: a member becomes taut or
+/// slack, a node touches or leaves the ground. A derivative is valid until one of these signed distances
+/// changes its sign.
 struct Switches {
   struct OfKind {
     std::vector<double> distance;
@@ -22,11 +23,11 @@ struct Switches {
 };
 
 /// The switches of a scene at positions x over all dofs. Members are those that elements declare
-/// (ext/members.h), without those that resist as much when slack as when taut. Nodes are those with an output
-/// output::kGap. Not among them: the change between sticking and sliding on a bed at rest.
+/// (ext/members.h), except members that are as stiff in compression as in tension. Nodes are those with an
+/// output output::kGap. The change between sticking and sliding on a bed at rest is left out.
 Switches switches_at(const Scene& scene, Assembler& assembler, std::span<const double> x);
 
-/// The side on which the switches of a scene are.
+/// For a scene, which members are slack and which nodes touch the ground.
 struct SwitchSides {
   std::size_t members = 0, slack = 0;   // all members, and those that are slack
   std::size_t nodes = 0, touching = 0;  // all nodes that may touch the ground, and those that touch it

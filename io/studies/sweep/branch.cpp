@@ -14,10 +14,10 @@ namespace {
 
 using Values = std::vector<VariableValue>;
 
-// If more than this fraction of the change in a step remains after all halvings, the change is a jump. A
-// smooth path leaves 2^-5 of the change, a jump leaves all of it.
+// A change is a jump if more than this fraction of it remains after all halvings of the step. On a smooth
+// path 2^-5 of the change remains, at a jump all of it.
 constexpr double kLeftOfAJump = 0.25;
-// An equilibrium farther away than this times the extrapolated change is on another branch.
+// An equilibrium is on another branch if its distance exceeds the extrapolated change by this factor.
 constexpr double kElsewhere = 4;
 
 bool has_converged(const Solution& s) { return s.status == SolveStatus::converged; }

@@ -15,20 +15,21 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 using Index = Eigen::Index;
 
-// The trust region: its radius at the start, its largest, and the one at which the search ends, as fractions
-// of the range of a parameter. The values are chosen.
+// Radius of the trust region, as a fraction of the range of a parameter: at the start, at most, and the
+// least, at which the search ends. The values are chosen.
 constexpr double kFirstRadius = 0.2, kLargestRadius = 0.5, kLeastRadius = 1e-6;
-// The part of the promised decrease from which a step is accepted, and those below and above which Δ shrinks
-// and grows (Nocedal and Wright, algorithm 4.1, whose first number may be anything from 0 to 1/4).
+// The ratio of actual to predicted decrease: the least at which a step is accepted, and those below and above
+// which the radius Δ shrinks and grows (Nocedal and Wright, algorithm 4.1, whose first number may be anything
+// from 0 to 1/4).
 constexpr double kAccepted = 1e-3, kPoor = 0.25, kGood = 0.75;
-// A change of the scaled f_0 that is noise of the model: equilibria have a relative tolerance of 1e-10, and
-// figures lose a digit to rounding.
+// Noise of the scaled f_0: equilibria have a relative tolerance of 1e-10, and figures lose a digit to
+// rounding.
 constexpr double kNoise = 1e-9;
-// A constraint counts as at its limit if it is closer to it than this, as a fraction of its size: ten times
-// the violation that is allowed by default.
+// A constraint counts as at its limit within this distance, as a fraction of its size: ten times the default
+// of the allowed violation.
 constexpr double kAtLimit = 1e-5;
-// A parameter that is closer to an end of its range than this is put there, because interior points
-// (quadratic.hpp) come near an end and never reach it. The value is chosen.
+// A parameter within this distance of an end of its range is set to that end, which interior points
+// (quadratic.hpp) approach but never reach. The value is chosen.
 constexpr double kAtEnd = 1e-8;
 
 Vector vector_of(const std::vector<double>& numbers) {
@@ -190,7 +191,7 @@ class Search {
 
   double bound(const Limit& limit) const { return (limit.side < 0 ? row_low_ : row_high_)(limit.of); }
 
-  /// The end of its range at which a parameter is; 0: at none.
+  /// The end of its range at which a parameter is: −1 or 1; 0 if it is at none.
   static int end_of(double z) { return z <= 0 ? -1 : z >= 1 ? 1 : 0; }
 
   /// Finds λ and the remainder of a point.
@@ -202,7 +203,7 @@ class Search {
     for (Index i = 0; i < at.z.size(); ++i)
       if (const int end = end_of(at.z(i))) active.push_back({i, end});
     const auto count = static_cast<Index>(active.size());
-    Matrix all(count, at.z.size());  // slopes of what is at a limit, towards the inside
+    Matrix all(count, at.z.size());  // slopes of everything that is at a limit, positive towards the inside
     for (std::size_t k = 0; k < active.size(); ++k) {
       const auto [of, side] = active[k];
       const Vector slope = k < rows ? Vector(at.slopes.row(of)) : Vector::Unit(at.z.size(), of);
@@ -249,7 +250,7 @@ class Search {
 
   double merit(double value, double violated) const { return value + penalty_ * violated; }
 
-  /// Tries a step; nothing but Δ changes if it is rejected. Returns false if the search cannot go on.
+  /// Tries a step. A rejected step changes only Δ. Returns false if the search cannot continue.
   bool step() {
     const auto [d, multipliers] = find_step();
     const double length = d.cwiseAbs().maxCoeff();
@@ -291,8 +292,8 @@ class Search {
     return true;
   }
 
-  /// A step that failed because constraints bend is tried once more, with the violation that was found
-  /// (second-order correction); after that Δ shrinks.
+  /// Handles a rejected step. If it failed because constraints are curved, it is tried once more with the
+  /// violation at its end taken into account (second-order correction). Otherwise Δ shrinks.
   bool reject(const Local& next, const Vector& led, double length) {
     const bool is_curved = next.point.violation > violation(led) + options_.feasibility;
     if (!is_curved || !shift_.isZero(0)) return shorten(0.3 * length);

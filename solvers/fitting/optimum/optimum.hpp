@@ -50,8 +50,10 @@ struct OptimumPoint {
 struct Optimum {
   bool converged = false;
   std::string reason;  // why the search ended, as a sentence
-  // The last accepted point, unless another one has a better f_0 (by more than the allowed violation) and
-  // satisfies all constraints, or has less violation if none does. Without parameters: there is no point.
+  // The answer: the last accepted point if the search converged, or if no other point is better by more than
+  // the allowed violation. Otherwise the best accepted point: that with the least f_0 among those that
+  // satisfy all constraints, or with the least violation if none does. Its `parameters` are empty if there is
+  // no answer.
   OptimumPoint best;
   std::vector<double> constraint_prices;  // λ_j, in units of f_0 per unit of f_j; 0: f_j is at no limit
   std::vector<double> parameter_prices;   // r_i, in units of f_0 per unit of θ_i; 0: θ_i is at no limit

@@ -13,8 +13,8 @@ using Array = Eigen::ArrayXd;
 
 constexpr int kMostIterations = 100;  // a programme takes 10 to 30
 constexpr double kPrecise = 1e-14;    // product of slacks and multipliers at which the iteration ends
-// Part of the way to the nearest limit that a step goes. The value is chosen; it changes the number of
-// iterations and not the answer.
+// Fraction of the way to the nearest limit that a step covers. The value is chosen; it changes the number of
+// iterations, not the answer.
 constexpr double kInside = 0.995;
 
 /// The longest step ≤ 1 along `by` that keeps `at` above zero.

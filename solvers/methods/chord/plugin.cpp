@@ -59,7 +59,8 @@ class Chords {
   }
 
  private:
-  /// Solves with the kept factor if (3) allows it. Returns false if no factor is kept or it must be renewed.
+  /// Solves with the kept factor if (3) allows it. Returns false if there is no kept factor, or if (3)
+  /// requires a new one.
   bool keep_factor() {
     if (is_worn_ || !problem_.try_solve(r_, s_)) return false;
     is_fresh_ = false;
@@ -67,8 +68,8 @@ class Chords {
     return find_slope() && decrement_ <= p_.contraction * p_.contraction * before;
   }
 
-  /// Factorises with as much damping as necessary, until s leads downhill. For an unsymmetric tangent, a
-  /// successful factorisation does not show that it does.
+  /// Factorises with increasing damping until s leads downhill. This is checked, because a successful
+  /// factorisation of an unsymmetric tangent does not ensure it.
   bool renew_factor() {
     do {
       const Factor factor = factorise_at_u(problem_, mu_);

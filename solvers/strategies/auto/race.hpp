@@ -9,7 +9,7 @@
 
 namespace netloft::automatic {
 
-/// The work that a search may still spend, counted from when the object is made, or a part of that work.
+/// A budget of work: what a search may still spend, or a part of that.
 class Budget {
  public:
   explicit Budget(Search& search, double end = 0) : search_(search), begun_(search.work_left()), end_(end) {}
@@ -56,7 +56,8 @@ class Race {
     Fate fate = Fate::again;
   };
 
-  /// An unstable equilibrium. is_tried: whether a side has led to an end that more work does not change.
+  /// An unstable equilibrium, from which a search leaves to either side. is_tried: whether the search on a
+  /// side has ended, so that more work would not change its result.
   struct Saddle {
     Stage stage;
     std::array<bool, 2> is_tried{};

@@ -38,8 +38,8 @@ class Restarts {
   double left() const { return search_.work_left() - end_; }
   const Stage& best() const { return best_; }
 
-  /// Lets a strategy solve from `start` with the work that is left of this restart. If that leads to the best
-  /// shape again, because the race has done the same, nothing was looked for.
+  /// Lets a strategy solve from `start` with the work that is left of this restart. The result is ignored if
+  /// it is the point of the best shape, bit for bit: the race has then made the same request before.
   void solve(const char* strategy, const Displacements& start) {
     if (left() <= 0) return;
     Stage next = search_.call(strategy, "", {.name = "restart", .work = left()}, start);

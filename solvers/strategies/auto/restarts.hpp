@@ -10,13 +10,13 @@ namespace netloft::automatic {
 bool may_restart(const Search& search, const Options& options);
 
 /// Looks for equilibria other than `first`. If members bear all loads by tension, the energy is convex, and
-/// no other equilibrium has less energy. Other shapes are therefore looked for if all forces have an energy,
-/// and if another elastic force bears more than kOnlyAStart of the load:
+/// no other equilibrium has less energy. Other shapes are therefore looked for only if all forces have an
+/// energy, and if compression or bending bears more than kOnlyAStart of the load:
 ///   compression: parts in compression fold in several ways. The first restart is from the shape without
 ///     resistance to compression, all others are from perturbations of the best shape so far.
 ///   bending, of meshes held open, of bent ropes or netting, if the shape would not be stable without it:
-///     attempts that know tensions only lead through shapes in which the netting is crumpled, and bending
-///     holds it so. The first restart is from `start`, the start of the search, all others are from
+///     strategies with tensions as unknowns crumple the netting on their way, and bending may keep it
+///     crumpled. The first restart is from `start`, the start of the search, all others are from
 ///     perturbations of it: each from soft to stiff, which keeps bending in proportion to tension, and by the
 ///     solver alone.
 /// The option `everywhere` drops the conditions for the restarts because of compression. Each restart costs

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// A plugin with a component of every kind, each of which is right until the variable MISDEED of the
-// environment names a function and a deed, such as "term throw". tests/regression/cli/test_misdeeds.py makes
-// the table of all functions and deeds. The plugin uses the C interface, so that nothing stands between a
-// deed and the program.
+// A plugin with one component of every kind. All of them are correct unless the environment variable MISDEED
+// names a function and a fault, such as "term throw"; this function then has this fault.
+// tests/regression/cli/test_misdeeds.py lists all functions and faults. The plugin uses the C interface
+// directly, because the C++ layer would catch some of the faults.
 #include <netloft/ext/integrator.h>
 #include <netloft/ext/laws.h>
 #include <netloft/ext/strategy.h>
