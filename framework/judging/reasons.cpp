@@ -43,7 +43,7 @@ std::string note_on_imbalance(const Assessment& a) {
 std::string note_on_round_off(const Assessment& a) {
   if (!a.balance.at_round_off) return "";
   if (a.balance.residual <= a.balance.floor)
-    return "; this is the round-off of the " + rounded_quantity(a) + ", and the tolerance is below it";
+    return "; this residual is round-off of the " + rounded_quantity(a) + ", and the tolerance is smaller";
   return "; no step brings the gear closer to balance, and the energy that a step could gain is below "
          "round-off";
 }

@@ -49,11 +49,10 @@ std::string SchemeProbe::fault_of(const StepScheme& scheme, const MarchState& at
   }
   if (!has_taken_one) return {};
   char text[320];
-  std::snprintf(
-      text, sizeof text,
-      "the integrator %s does not follow the equation of motion: a step of %s leaves %.3g N of forces of "
-      "%.3g N out of balance, and moves the gear by %.3g of the way that it goes in this time",
-      scheme.name().c_str(), seconds_text(10 * h).c_str(), left, driving_, path);
+  std::snprintf(text, sizeof text,
+                "the integrator %s does not follow the equation of motion: a step of %s leaves %.3g N of "
+                "%.3g N out of balance, and moves the gear by %.3g of the correct displacement",
+                scheme.name().c_str(), seconds_text(10 * h).c_str(), left, driving_, path);
   return text;
 }
 

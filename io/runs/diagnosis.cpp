@@ -21,8 +21,8 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-// Thresholds, as fractions of the largest tension in the gear: tensions below kNone and compressions below
-// kCounts count as zero.
+// Fractions of the largest tension in the gear: a tension below kNone counts as zero, and so does a
+// compression below kCounts.
 constexpr double kNone = 1e-6, kCounts = 1e-3;
 // Neighbouring elements that turn by more than this are folded [rad].
 constexpr double kFolded = std::numbers::pi * 5 / 6;
@@ -112,8 +112,8 @@ class Diagnosis {
       if (family->nodes_per_element() == 2) count_folds_of_ropes(*family, folds);
       if (family->nodes_per_element() == 3) count_folds_of_netting(*family, folds);
       for (const auto& [part, count] : folds)
-        sentences_.push_back(
-            fmt::format("{} lies back on itself at {} place{}", name(part), count, count == 1 ? "" : "s"));
+        sentences_.push_back(fmt::format("{} is folded back on itself at {} place{}", name(part), count,
+                                         count == 1 ? "" : "s"));
     }
   }
 

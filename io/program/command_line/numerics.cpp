@@ -30,8 +30,9 @@ void add_compare_command(CLI::App& app, Chosen& chosen) {
       ->type_name("LO:HI");
   add_compared_method(command, o, "--integrator", "integrator ",
                       "an integrator to compare on a scene that moves, such as newmark");
-  add_compared_method(command, o, "--strategy", "strategy ", "a strategy to compare, as run takes it");
-  add_compared_method(command, o, "--solver", "", "a solver to compare, as run takes it");
+  add_compared_method(command, o, "--strategy", "strategy ",
+                      "a strategy to compare, written as for netloft run");
+  add_compared_method(command, o, "--solver", "", "a solver to compare, written as for netloft run");
   command.add_option("--tolerance", o.tolerance, "tolerances, one per decade; default: 1e-10:1e-2")
       ->type_name("LO:HI");
   as_word(
@@ -41,7 +42,7 @@ void add_compare_command(CLI::App& app, Chosen& chosen) {
   command
       .add_option(
           "--reference", o.reference,
-          "solver or integrator whose answer is taken as exact; default: one that differs from each method")
+          "solver or integrator whose answer counts as exact; default: another one than the compared method")
       ->type_name(kMethod);
   command.add_option("--repeats", o.repeats, "number of runs of each method; the fastest counts; default: 3")
       ->check(CLI::Range(1, 1000));

@@ -137,14 +137,14 @@ class EquilibriumRun {
     const int code = overdue.interrupted ? kInterrupted : kNotConverged;
     terminal_.say("netloft: " + overdue.sentence + "; the run ends here");
     if (kept_.u.empty()) {
-      terminal_.say("netloft: nothing was found before, and no result is written");
+      terminal_.say("netloft: no shape was found until then, so that no result is written");
       (*file_).discard();
       return code;
     }
     Assembler assembler(scene_.loaded().scene, scene_.plan(), 1);
     Solution& s = solution_ = runs::assess_point(scene_, kept_.u, assembler);
     s.status = overdue.interrupted ? SolveStatus::interrupted : SolveStatus::not_converged;
-    s.reason = overdue.sentence + "; this is the last shape that was found before";
+    s.reason = overdue.sentence + "; the result has the best shape found until then";
     finish(assembler, results::make_result(scene_.loaded(), assembler, s), [] {});
     return code;
   }

@@ -47,7 +47,7 @@ int end_early(Terminal& terminal, const std::string& part, const Overdue& overdu
   terminal.say("netloft: " + overdue.sentence + "; the run ends here");
   terminal.say(std::filesystem::exists(part)
                    ? "netloft: the outputs so far are in " + part + "; --resume goes on from them"
-                   : "netloft: nothing was found before, and no result is written");
+                   : "netloft: no shape was found until then, so that no result is written");
   return overdue.interrupted ? kInterrupted : kNotConverged;
 }
 

@@ -106,9 +106,10 @@ std::string text_of(const std::vector<studies::ScopeRow>& rows, const studies::S
   for (const studies::ScopeRow& row : rows) {
     text += fmt::format("{:>9}", number(row.depth, 1));
     if (!row.chosen) {
-      text += is_whole(row, request) ? std::string("  the boards are not as wanted at any of these lengths\n")
-                                     : fmt::format("  interrupted after {} of {} lengths\n",
-                                                   row.points.size(), request.scopes.size());
+      text += is_whole(row, request)
+                  ? std::string("  at none of these lengths do the boards have the wanted heel and spread\n")
+                  : fmt::format("  interrupted after {} of {} lengths\n", row.points.size(),
+                                request.scopes.size());
       continue;
     }
     const studies::ScopePoint& p = row.points[*row.chosen];
@@ -159,7 +160,7 @@ bool has_found_all(const std::vector<studies::ScopeRow>& rows) {
 
 void require_lengths_given(const scenes::LoadedScene& loaded) {
   if (loaded.analysis.kind == AnalysisKind::dynamics)
-    throw UsageError{"scope follows equilibria, but this scene is a motion; add --set analysis.kind=static"};
+    throw UsageError{"scope compares equilibria, but this scene is a motion; add --set analysis.kind=static"};
   if (!loaded.scene.settings.empty())
     throw UsageError{
         "scope tries lengths of warp, but this scene finds one by ship.warp.tension; leave out "

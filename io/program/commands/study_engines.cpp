@@ -24,7 +24,7 @@ std::string why_chunk(const StudySubmitOptions& o, std::size_t chunk, double sec
     return "No item has been computed, so that the time of one is not known: run `netloft study run FOLDER "
            "--items 1` first, or give --chunk N.";
   return fmt::format(
-      "An item has taken {:.3g} s on average; a task takes at least a minute, or has all items.", seconds);
+      "An item takes {:.3g} s on average; a task gets enough items for a minute, or all items.", seconds);
 }
 
 }  // namespace

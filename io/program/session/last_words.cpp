@@ -93,7 +93,7 @@ bool say_what_happened(std::string_view did) {
     say(under_test.view());
     say(did);
     const char* check = check_under_way();
-    say(check ? "the check " : "its making or its first evaluation");
+    say(check ? "the check " : "its construction or first evaluation");
     say_if(check);
   } else if (plugin.type && calls->innermost().kind != CallFrame::Kind::host) {
     say_who(plugin, did);
@@ -175,7 +175,7 @@ void end_check(int signal) {
   say("netloft: ");
   say(under_test.view());
   say(is_over ? " did not return from " : " was interrupted in ");
-  say(check ? "the check " : "its making or its first evaluation");
+  say(check ? "the check " : "its construction or first evaluation");
   say_if(check);
   say(is_over ? " within its processor time (--seconds)\n" : "\n");
   end_at_once(is_over ? kOther : kInterrupted);

@@ -28,7 +28,7 @@ void refuse_undone(const std::vector<std::string>& set) {
       if (formats::undoes(changes[later], changes[i])) {
         if (changes[later].steps != changes[i].steps)
           throw UsageError{"--set " + set[later] + " undoes --set " + set[i] + "; leave out one of them"};
-        print_error("netloft: --set " + set[later] + " takes the place of --set " + set[i]);
+        print_error("netloft: --set " + set[later] + " replaces --set " + set[i]);
       }
 }
 

@@ -170,7 +170,7 @@ void Watchdog::look_at(Seen& seen, bool interrupted, double now) {
 void Watchdog::end(bool interrupted, const CallFrame& frame, double waited) {
   end(interrupted,
       fmt::format("{}, did not return for {:.0f} s after {}", text_of(frame), waited,
-                  interrupted ? "the interruption" : "its processor time was over (analysis.max_seconds)"));
+                  interrupted ? "the interruption" : "the limit of processor time (analysis.max_seconds)"));
 }
 
 void Watchdog::end(bool interrupted, const std::string& sentence) {
@@ -179,7 +179,7 @@ void Watchdog::end(bool interrupted, const std::string& sentence) {
   try {
     code = last_act_({interrupted, sentence});
   } catch (const std::exception& e) {
-    print_error(std::string("netloft: what was found could not be written: ") + e.what());
+    print_error(std::string("netloft: the results so far could not be written: ") + e.what());
   }
   std::fflush(stdout);
   std::fflush(stderr);

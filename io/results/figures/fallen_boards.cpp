@@ -55,8 +55,8 @@ double outward_force(const scenes::LoadedScene& loaded, const std::vector<std::u
 /// Returns a sentence about the fault of a board; empty for a board that is upright and spreads.
 std::string trouble_of(const std::string& board, double heel, double outward) {
   if (std::abs(heel) > std::numbers::pi / 2)
-    return fmt::format("{} lies over, its top turned {} by {:.0f}°", board, heel > 0 ? "outward" : "inward",
-                       formats::kDegreesPerRadian * std::abs(heel));
+    return fmt::format("{} has fallen over: its top is turned {} by {:.0f}°", board,
+                       heel > 0 ? "outward" : "inward", formats::kDegreesPerRadian * std::abs(heel));
   if (outward >= 0) return "";
   return fmt::format("{} does not spread the gear: water and ground push it inward with {:.4g} N", board,
                      -outward);

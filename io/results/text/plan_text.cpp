@@ -48,7 +48,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 std::string ground_text(const ScenePlan& plan) {
   const auto& v = plan.ground;
   if (v == std::array<double, 3>{})
-    return "does not move; parts that lie on it stick to where they were sketched until they slide";
+    return "is at rest; parts on it stick to their initial places until the friction is too small to hold "
+           "them";
   return fmt::format("passes the gear with ({:.4g}, {:.4g}) m/s; its friction is that of sliding", v[0],
                      v[1]);
 }

@@ -32,11 +32,11 @@ std::string note_on(const std::vector<NumbersOnMesh>& meshes) {
   std::vector<std::string> counts;
   for (const auto& mesh : meshes)
     counts.push_back(std::to_string(mesh.mesh.count) + (mesh.is_stable ? "" : " (not stable)"));
-  return fmt::format("is estimated from {} {}: {}, plus a quarter", fmt::join(counts, ", "),
-                     meshes.front().mesh.of,
-                     meshes.front().mesh.is_similar
-                         ? "the distance to the limit by the observed order, or the largest difference"
-                         : "the largest difference or extrapolation");
+  return fmt::format(
+      "is estimated from {} {}: 1.25 times {}", fmt::join(counts, ", "), meshes.front().mesh.of,
+      meshes.front().mesh.is_similar ? "the distance to the value extrapolated with the observed order, or "
+                                       "the largest difference between meshes"
+                                     : "the largest difference between meshes, or to an extrapolated value");
 }
 
 /// Sorts the meshes from the coarsest to the finest, and returns the new index of the scene's own mesh, which

@@ -116,8 +116,8 @@ std::string refinement_text(const Refinement& r) {
   for (const auto& n : numbers) text += row_text(n, width);
   if (!numbers.empty())
     text +=
-        "error: that of the finest mesh, which is the largest of its differences from the two meshes before "
-        "and of extrapolations with the first and the observed order, plus a quarter\n";
+        "error: the error of the finest mesh, estimated as 1.25 times its largest difference from the two "
+        "meshes before it and from the values extrapolated with the first and the observed order\n";
   text += divergences_text(r, numbers);
   for (const auto& sentence : r.missing) text += "missing: " + sentence + "\n";
   text.pop_back();

@@ -89,7 +89,7 @@ void solvers_text(const Comparison& c, Out out) {
 
 void path_reference_text(const MethodResult& m, Out out) {
   if (!m.reference) {
-    fmt::format_to(out, "{}: no reference because no other integrator went through the motion\n",
+    fmt::format_to(out, "{}: no reference because no other integrator completed the motion\n",
                    m.method.name());
     return;
   }

@@ -12,7 +12,7 @@ namespace netloft::studies {
 
 namespace {
 
-// Numbers that are listed for each key figure: a glance, of which `netloft sensitivity` has more.
+// Number of rows for each key figure. `netloft sensitivity` prints more.
 constexpr std::size_t kRowsOfKey = 3;
 
 std::vector<results::KeySensitivities::Row> largest_of(const Sensitivities& found) {
@@ -31,8 +31,8 @@ std::vector<results::KeySensitivities::Row> largest_of(const Sensitivities& foun
 std::string note_of(const Sensitivities& found) {
   const auto missing = std::ranges::count_if(found.effects, [](auto& e) { return !e.why_not.empty(); });
   return fmt::format(
-      "numbers of the scene that were examined: {}, without derivatives: {}; netloft sensitivity finds why, "
-      "and how far the others hold",
+      "numbers of the scene that were examined: {}, without derivatives: {}; `netloft sensitivity` tells "
+      "why, and for which changes the others are valid",
       found.effects.size(), missing);
 }
 

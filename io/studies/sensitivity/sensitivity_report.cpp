@@ -59,7 +59,8 @@ std::string table_of(const Sensitivities& found, std::size_t f) {
   for (std::size_t i = 0; i < std::min(kRows, effects.size()); ++i) text += row_of(found, *effects[i], f);
   for (const NumberEffect& effect : found.effects)
     if (effect.why_not.empty() && !std::isfinite(effect.per_unit[f]))
-      text += "  " + effect.number.path + ": the figure is not defined a little beside this number\n";
+      text += "  " + effect.number.path +
+              ": the figure is undefined for slightly different values of this number\n";
   return text;
 }
 
@@ -69,7 +70,8 @@ std::size_t sum_of(const std::map<std::string, std::size_t>& by_part) {
   return sum;
 }
 
-/// How many of `all` switch, and in which parts most of them are: "nodes: 8, 1.2 % (headrope 5, footrope 3)".
+/// Describes which of `all` switch: their number, and the parts that have most of them: "nodes: 8, 1.2 %
+/// (headrope 5, footrope 3)".
 std::string text_of(const std::map<std::string, std::size_t>& by_part, std::size_t all,
                     const std::string& what) {
   std::vector<std::pair<std::string, std::size_t>> parts(by_part.begin(), by_part.end());
@@ -100,8 +102,8 @@ std::string row_of_switches(const NumberEffect& effect, const SwitchSides& sides
   return fmt::format("  {:<44} {:>18}   {}\n", effect.number.path, value_of(effect.number), text);
 }
 
-/// Lists what is slack and what touches the ground, in all derivatives, and the numbers that switch most of
-/// it.
+/// Lists which members are slack and which nodes touch the ground in all derivatives, and the numbers that
+/// switch most of them.
 std::string reach_text(const Sensitivities& found) {
   const std::string sides = sides_text(found.sides);
   if (sides.empty()) return "";
@@ -113,14 +115,13 @@ std::string reach_text(const Sensitivities& found) {
   };
   std::ranges::stable_sort(effects, std::ranges::greater{}, size);
   const std::string change = has_deviations(found) ? "a deviation" : "1 %";
-  std::string text = "\nAll derivatives hold while this stays so: " + sides + "\n";
-  if (effects.empty())
-    return text + "  no number changes it by " + change + " more or less, to first order\n";
-  text += "  changed by " + change + " more or less of a number, to first order:\n";
+  std::string text = "\nThe derivatives are valid as long as this does not change: " + sides + "\n";
+  if (effects.empty()) return text + "  no change of a number by " + change + " changes it, to first order\n";
+  text += "  it changes with " + change + " more or less of these numbers, to first order:\n";
   for (std::size_t i = 0; i < std::min(kRows, effects.size()); ++i)
     text += row_of_switches(*effects[i], found.sides);
   if (effects.size() > kRows)
-    text += fmt::format("  and by {} other numbers, less\n", effects.size() - kRows);
+    text += fmt::format("  {} other numbers change less of it\n", effects.size() - kRows);
   return text;
 }
 
@@ -172,7 +173,8 @@ Json json_of(const SwitchSides& sides) {
           {"touching", sides.touching}};
 }
 
-/// Adds what limits a derivative: what its typical change switches, by parts, and the fold that is near.
+/// Adds what limits the validity of a derivative: switches by its typical change, part by part, and a near
+/// fold.
 void add_reach(const NumberEffect& effect, Json& row) {
   if (std::isfinite(effect.fold_at)) row["fold_at"] = effect.fold_at;
   if (!effect.switches.members.empty()) row["switching_members"] = effect.switches.members;

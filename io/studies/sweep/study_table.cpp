@@ -91,7 +91,7 @@ class Collector {
     });
     if (count > 0)
       table_.sentences.push_back("points at which a small part of the gear is unstable: " +
-                                 std::to_string(count) + ", which the column `stability` names");
+                                 std::to_string(count) + "; in the column `stability`, they are local");
   }
 
   const Study& study_;

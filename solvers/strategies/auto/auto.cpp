@@ -21,10 +21,11 @@ std::string Auto::explain(const Options& options, Search& search) {
   for (const Attempt& attempt : attempts_for(search, options))
     text += std::string(attempt.name) + ": " + attempt.because + "\n";
   if (may_restart(search, options))
-    text += "restarts: " + std::to_string(options.restarts) +
-            " from other shapes after the first equilibrium" +
-            (options.everywhere ? "" : ", if that bears a load by compression or bending") +
-            ": the gear may have other equilibria\n";
+    text +=
+        "restarts: " + std::to_string(options.restarts) + " from other shapes" +
+        (options.everywhere ? ""
+                            : " if a part of the first equilibrium bears load by compression or bending") +
+        ": the gear may have other equilibria\n";
   return text;
 }
 

@@ -85,7 +85,7 @@ class Misuse(WithInstallation):
     def test_writing_far_past_its_lanes(self):
         self.compile(self.element(TILE, "for (long i = 0; t.force && i < 1L << 33; ++i) t.force[i] += 1;", traits="<Otter::Elastic>"))
         ended = self.sh("netloft test otter.so", expect=1)
-        self.assertRegex(ended.err, "otter/otter crashed in (the check [a-z-]+|its making or its first evaluation)[^\n]*\n  usually: ")
+        self.assertRegex(ended.err, "otter/otter crashed in (the check [a-z-]+|its construction or first evaluation)[^\n]*\n  usually: ")
 
     def test_an_exception(self):
         self.found(self.element(EVALUATE, 'if (e > 0) throw std::runtime_error("unfinished");'), "evaluates-without-error")

@@ -254,7 +254,7 @@ class Motions(InFreshFolder):
             self.assertRegex(method["trials"][-1]["reason"], r"the budget of work was spent at t = 0\.\d+ s")
         told = self.compare(*words, "--accuracy", "1e-3")
         self.assertEqual(told.code, 3)
-        self.assertIn("newmark: no reference because no other integrator went through the motion", told.out)
+        self.assertIn("newmark: no reference because no other integrator completed the motion", told.out)
         self.assertIn("newmark: out of work at 1e-03: the budget of work was spent at t = 0.", told.out)
 
     def test_an_integrator_that_is_not_installed_has_a_row(self):

@@ -76,7 +76,7 @@ class Crashes(Hostile):
     def test_an_exit_in_a_check_is_no_success(self):
         run = self.netloft("test", "hostile/exits", "--plugins", str(PLUGINS))
         self.assertEqual(run.code, 1)
-        self.assertIn("hostile/exits ended the program (exit) in its making or its first evaluation", run.err)
+        self.assertIn("hostile/exits ended the program (exit) in its construction or first evaluation", run.err)
 
 
 class EndlessLoops(Hostile):
@@ -176,7 +176,7 @@ class EndlessLoopsElsewhere(Hostile):
 
     def test_in_checks(self):
         self.ends(1, "test", "hostile/loops", "--seconds", "0.3",
-                  says=r"hostile/loops did not return from (the check [a-z-]+|its making or its first evaluation) within its processor time")
+                  says=r"hostile/loops did not return from (the check [a-z-]+|its construction or first evaluation) within its processor time")
 
     def test_in_checks_that_are_interrupted(self):
         run = subprocess.Popen(self.command("test", "hostile/loops", "--plugins", str(PLUGINS)), stderr=subprocess.PIPE, text=True,

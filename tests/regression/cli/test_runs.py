@@ -76,7 +76,7 @@ class Runs(InFreshFolder):
         ended = self.netloft("run", str(PANEL), "--set", "parts.net.cells=[8,8]", "--set", "parts.net.cells=[4,4]", "--json")
         self.assertEqual(ended.code, 0, ended.err)
         self.assertEqual(ended.json()["nodes"], 25)
-        self.assertIn("--set parts.net.cells=[4,4] takes the place of --set parts.net.cells=[8,8]", ended.err)
+        self.assertIn("--set parts.net.cells=[4,4] replaces --set parts.net.cells=[8,8]", ended.err)
 
     def test_the_way_on_from_a_coarser_mesh_may_be_another_strategy_and_falls_back_on_the_solver(self):
         # tension/only is called for the scene itself; load-steps has nothing to do where nothing flows.
@@ -385,7 +385,7 @@ class OtherCommands(InFreshFolder):
         passes = self.netloft("plan", towed)
         self.assertEqual(passes.err, "")
         self.assertIn("ground: passes the gear with (1.5, 0) m/s; its friction is that of sliding", passes.out)
-        self.assertIn("ground: does not move", self.netloft("plan", towed, "--set", "tow.speed=0").out)
+        self.assertIn("ground: is at rest", self.netloft("plan", towed, "--set", "tow.speed=0").out)
 
     def test_what_has_no_effect_gets_a_warning(self):
         rope = 'rope = { diameter = "20 mm", EA = "100 kN", EA_compression = 0, density = 1150'

@@ -85,7 +85,7 @@ class TrawlInMotion(unittest.TestCase):
         answer = self.run_it("gear.nodes=300", 'ship.speed="2 kn"', 'ship.path.speed=["2 kn","3 kn","3 kn"]', "analysis.duration=0.01")
         self.assertEqual(len(answer["warnings"]), 2)
         for door, sentence in zip(DOORS, answer["warnings"]):
-            self.assertRegex(sentence, f"at t = 0 s {door} lies over, its top turned inward by 1[0-9][0-9]°")
+            self.assertRegex(sentence, f"at t = 0 s {door} has fallen over: its top is turned inward by 1[0-9][0-9]°")
 
     def test_goes_on_to_the_same_bits_after_a_kill(self):
         """Its winches stand, hold a tension, and haul."""

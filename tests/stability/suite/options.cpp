@@ -17,8 +17,9 @@ void add_columns(CLI::App& app, SuiteOptions& s) {
       app.add_option("--without", s.without, "leave out an attempt of the strategy auto; may be repeated"),
       "PART");
   program::add_set_option(app, s.set, "a value of every scene: analysis.newton.damping=0.1");
-  program::as_words(app.add_option("--solver", s.solvers, "solver, as run takes it; may be repeated"),
-                    program::kMethod);
+  program::as_words(
+      app.add_option("--solver", s.solvers, "solver, written as for netloft run; may be repeated"),
+      program::kMethod);
 }
 
 void add_cases(CLI::App& app, SuiteOptions& s) {

@@ -59,7 +59,7 @@ TEST(Diagnosis, CountsFolds) {
     for (std::size_t d = 3 * 11 + 2; d < x.size(); d += 3) x[d] = 2 * x[3 * 10 + 2] - x[d];
   };
   const Solution s = solution_of(kFloat, {"analysis.solver=newton", "analysis.max_iterations=0"}, folded);
-  EXPECT_TRUE(has_sign(s, "rope lies back on itself at 1 place"));
+  EXPECT_TRUE(has_sign(s, "rope is folded back on itself at 1 place"));
 }
 
 TEST(Diagnosis, NamesWhatHasGone) {

@@ -66,8 +66,8 @@ TEST(FallenBoards, LieOverBeyondARightAngle) {
   pair.set("bodies/port-door/heel", -1.9);
   pair.set("bodies/starboard-door/heel", 2.7);
   ASSERT_EQ(pair.fallen().size(), 2u);
-  EXPECT_EQ(pair.fallen()[0].sentence, "starboard-door lies over, its top turned outward by 155°");
-  EXPECT_EQ(pair.fallen()[1].sentence, "port-door lies over, its top turned inward by 109°");
+  EXPECT_EQ(pair.fallen()[0].sentence, "starboard-door has fallen over: its top is turned outward by 155°");
+  EXPECT_EQ(pair.fallen()[1].sentence, "port-door has fallen over: its top is turned inward by 109°");
 }
 
 TEST(FallenBoards, PushInwardWithWaterAndGround) {
