@@ -2,6 +2,7 @@
 #include "io/scenes/reading/flow_reader.hpp"
 
 #include "framework/scene/scene_plan.hpp"
+#include "io/formats/units/in_quotes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -32,6 +32,7 @@ COMMANDS = {  # what it is called with
     "large_study.py": (PROGRAM, LIBRARY / "studies/83-112-speed-depth.toml", "--samples", "1", "--nodes", "100", "--engines", "pool", "--jobs", "1"),
     "library_gears.py": (PROGRAM, LIBRARY, "--nodes", "100", "--only", "flume-3.0kn"),
     "knots.py": (PROGRAM, "codend.toml", "--nodes", "100"),
+    "slowed_water.py": (PROGRAM, LIBRARY, "--times", "1", "--nodes", "100", "--only", "two-panel"),
     "steering.py": (SOURCE,),
     "stage_counts.py": (PROGRAM, SOURCE, "--only", "cod-end"),
     "attempts.py": (PROGRAM, SOURCE, "--nodes", "100", "--only", "flume-3.0kn"),
