@@ -84,19 +84,20 @@ std::string find_trouble(const std::string& text) {
   return {};
 }
 
-using StoredTexts = std::map<std::string, std::string>;
-
 /// Reads a file and, before it, the files that it includes.
 class Loader {
  public:
-  /// `stored`: texts by file name that take the place of the files; nullptr: files are opened.
-  Loader(std::vector<SourceFile>& files, Diagnostics& diagnostics, const StoredTexts* stored = nullptr)
-      : files_(files), diagnostics_(diagnostics), stored_(stored) {}
+  enum class Others { opened, refused };  // what happens to files that are not in `stored`
+
+  /// `stored`: texts that take the place of files.
+  Loader(std::vector<SourceFile>& files, Diagnostics& diagnostics, const StoredTexts& stored = {},
+         Others others = Others::opened)
+      : files_(files), diagnostics_(diagnostics), stored_(stored), others_(others) {}
 
   /// Loads a file and its includes. `named_at` is the entry in the including file; for the root it is empty.
   Value load(const fs::path& path, const Place& named_at) {
     const std::string name = path.lexically_normal().string();
-    FileText file = stored_ ? read_stored(name) : read_file(path);
+    FileText file = read(path, name);
     if (file.trouble.empty()) file.trouble = find_trouble(file.text);
     if (!file.trouble.empty()) {
       diagnostics_.error(named_at, name + ' ' + file.trouble);
@@ -121,14 +122,15 @@ class Loader {
   }
 
  private:
-  FileText read_stored(const std::string& name) const {
-    const auto at = stored_->find(name);
-    return at == stored_->end() ? FileText{{}, "was not stored"} : FileText{at->second, {}};
+  FileText read(const fs::path& path, const std::string& name) const {
+    if (const auto at = stored_.find(name); at != stored_.end()) return {at->second, {}};
+    return others_ == Others::opened ? read_file(path) : FileText{{}, "was not stored"};
   }
 
   std::string identity(const fs::path& path) const {
     std::error_code failed;
-    const fs::path canonical = stored_ ? path.lexically_normal() : fs::canonical(path, failed);
+    if (others_ == Others::refused) return path.lexically_normal().string();
+    const fs::path canonical = fs::canonical(path, failed);
     return failed ? path.lexically_normal().string() : canonical.string();
   }
 
@@ -170,7 +172,8 @@ class Loader {
 
   std::vector<SourceFile>& files_;
   Diagnostics& diagnostics_;
-  const StoredTexts* stored_;
+  const StoredTexts stored_;
+  Others others_;
   std::vector<fs::path> chain_;  // files from the root to the one that is being read
   std::set<std::string> done_;
 };
@@ -182,6 +185,12 @@ Document Document::load(const fs::path& path, const std::vector<std::string>& ov
   Document document;
   document.root_ = Loader(document.files_, diagnostics).load(path, {});
   for (const std::string& text : overrides) apply(document.root_, read_change(text), diagnostics);
+  return document;
+}
+
+Document Document::load_edited(const fs::path& path, const StoredTexts& edited, Diagnostics& diagnostics) {
+  Document document;
+  document.root_ = Loader(document.files_, diagnostics, edited).load(path, {});
   return document;
 }
 
@@ -199,7 +208,7 @@ Document Document::recall(std::vector<SourceFile> files, Diagnostics& diagnostic
   const fs::path scene = files.front().path;
   StoredTexts texts;
   for (SourceFile& file : files) texts.emplace(std::move(file.path), std::move(file.text));
-  document.root_ = Loader(document.files_, diagnostics, &texts).load(scene, {});
+  document.root_ = Loader(document.files_, diagnostics, texts, Loader::Others::refused).load(scene, {});
   return document;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,9 @@ struct SourceFile {
                      // signature
 };
 
+/// Texts by file name (normalised, as in Document::files()) that take the place of the files.
+using StoredTexts = std::map<std::string, std::string>;
+
 /// A scene file with its includes and the overrides of the command line, as one table.
 ///
 /// `include = ["a.toml", …]` names files relative to the including file. Files are merged in this order, and
@@ -29,6 +33,9 @@ class Document {
   /// Errors go to `diagnostics`; after an error the document contains whatever could be read.
   static Document load(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                        Diagnostics& diagnostics);
+  /// The same without overrides; a file whose name is in `edited` has that text, and is not opened.
+  static Document load_edited(const std::filesystem::path& path, const StoredTexts& edited,
+                              Diagnostics& diagnostics);
   /// Parses a text in memory; includes are relative to the working directory.
   static Document parse(std::string text, const std::string& name, const std::vector<std::string>& overrides,
                         Diagnostics& diagnostics);

@@ -47,12 +47,6 @@ std::string bracketed(const Items& items, const char* brackets, const Spell& spe
   return brackets[0] + text + brackets[1];
 }
 
-/// Writes a value within an array or a table, where texts need their quotes.
-std::string spell_inside(const Value& value) {
-  const auto* text = value.as<std::string>();
-  return text ? quote(*text) : spell_value(value);
-}
-
 std::string spell_real(double real) {
   const std::string text = format(real);
   const bool is_real = !std::isfinite(real) || text.find_first_of(".e") != std::string::npos;
@@ -65,9 +59,9 @@ std::string spell_value(const Value& value) {
   switch (value.kind()) {
     case Kind::table:
       return bracketed(value.as<Table>()->members, "{}",
-                       [](const Member& m) { return spell_key(m.key) + " = " + spell_inside(m.value); });
+                       [](const Member& m) { return spell_key(m.key) + " = " + spell_in_file(m.value); });
     case Kind::array:
-      return bracketed(value.as<Array>()->items, "[]", spell_inside);
+      return bracketed(value.as<Array>()->items, "[]", spell_in_file);
     case Kind::text: {
       const std::string& text = *value.as<std::string>();
       return is_plain(text) ? text : quote(text);
@@ -82,6 +76,11 @@ std::string spell_value(const Value& value) {
       return value.as<Date>()->text;
   }
   return {};
+}
+
+std::string spell_in_file(const Value& value) {
+  const auto* text = value.as<std::string>();
+  return text ? quote(*text) : spell_value(value);
 }
 
 }  // namespace netloft::formats

@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "framework/parameters/nearest.hpp"
+#include "io/formats/toml/number_words.hpp"
 #include "io/formats/units/degrees.hpp"
 #include "io/formats/units/in_quotes.hpp"
 #include "io/formats/units/units.hpp"
@@ -175,6 +176,7 @@ std::optional<double> read_in_unit(const Spot& at, const Wanted& wanted) {
 }
 
 std::optional<double> read_real(const Spot& at, const Wanted& wanted) {
+  if (are_words_collected()) collect_words(at.path, {wanted.unit, wanted.doc, wanted.range});
   if (!wanted.written.empty()) return read_in_unit(at, wanted);
   const std::optional<double> value = read_number(at, wanted.unit, wanted.doc);
   return value ? check_range(at, *value, wanted) : std::nullopt;
@@ -195,6 +197,8 @@ bool question_whole_radians(const Spot& at, const Wanted& wanted) {
 
 std::optional<std::int64_t> read_integer(const Spot& at, std::int64_t lo, std::int64_t hi,
                                          const std::string& doc) {
+  if (are_words_collected())
+    collect_words(at.path, {"1", doc, between(static_cast<double>(lo), static_cast<double>(hi)), true});
   const auto* value = at.value.as<std::int64_t>();
   if (!value) {
     at.refuse_type("an integer", doc);

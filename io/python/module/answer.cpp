@@ -2,8 +2,8 @@
 #include "io/python/module/answer.hpp"
 
 #include "framework/assembler/reports.hpp"
+#include "io/formats/work/interruptible_work.hpp"
 #include "io/program/session/session.hpp"
-#include "io/python/module/interruptible_reading.hpp"
 #include "io/results/file/provenance.hpp"
 #include "io/results/text/plan_text.hpp"
 #include "io/runs/equilibrium.hpp"
@@ -48,7 +48,7 @@ Solution solve_from(runs::PreparedScene& scene, const std::vector<double>& start
 Answer::Answer(const OpenedScene& source, const SolveRequest& request, const std::atomic<bool>& interrupt)
     : started_(results::utc_now()), command_(source.command()) {
   if (request.with_mesh_errors) command_.push_back("--error");
-  const InterruptibleReading reading(interrupt);
+  const formats::InterruptibleWork reading(interrupt);
   scene_ = source.prepare(request.like.get());
   require_equilibrium_of(scene_->loaded());
   if (request.like && !runs::have_same_topology(*request.like, *scene_))

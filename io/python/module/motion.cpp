@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/python/module/motion.hpp"
 
+#include "io/formats/work/interruptible_work.hpp"
 #include "io/program/session/session.hpp"
-#include "io/python/module/interruptible_reading.hpp"
 #include "io/results/file/provenance.hpp"
 #include "io/results/file/start_from.hpp"
 #include "io/results/motion/motion_run.hpp"
@@ -31,7 +31,7 @@ std::optional<std::vector<double>> start_of(runs::PreparedScene& scene) {
 
 MotionEnd simulate(const OpenedScene& source, const std::filesystem::path& output,
                    const std::function<void(double, double)>& on_step, const std::atomic<bool>& interrupt) {
-  const InterruptibleReading reading(interrupt);
+  const formats::InterruptibleWork reading(interrupt);
   const auto scene = source.prepare();
   require_motion(scene->loaded());
   const results::RunContext context{source.command(), results::utc_now(), scene->registry().opened(),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/formats/work/interruptible_work.hpp"
 #include "io/python/module/background.hpp"
-#include "io/python/module/interruptible_reading.hpp"
 #include "io/python/module/module.hpp"
 #include "io/python/module/opened_scene.hpp"
 #include "io/studies/calibration/calibration.hpp"
@@ -29,7 +29,7 @@ void require_none(const formats::Diagnostics& diagnostics, bool refused) {
 /// The work of `netloft optimise`. Points that `history` has are not solved again.
 SearchReports optimise_file(const fs::path& path, const fs::path& history,
                             const std::atomic<bool>& interrupt) {
-  const InterruptibleReading reading(interrupt);
+  const formats::InterruptibleWork reading(interrupt);
   const ReadingLock lock;
   formats::Diagnostics diagnostics;
   const studies::OptimumFile file = studies::read_optimum_file(path, diagnostics);
@@ -45,7 +45,7 @@ SearchReports optimise_file(const fs::path& path, const fs::path& history,
 
 /// The work of `netloft calibrate`.
 SearchReports calibrate_file(const fs::path& path, const std::atomic<bool>& interrupt) {
-  const InterruptibleReading reading(interrupt);
+  const formats::InterruptibleWork reading(interrupt);
   const ReadingLock lock;
   formats::Diagnostics diagnostics;
   studies::CalibrationFile file = studies::read_calibration_file(path, diagnostics);

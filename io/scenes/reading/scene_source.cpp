@@ -173,62 +173,73 @@ void append_new(std::vector<formats::SourceFile>& files, const std::vector<forma
 
 }  // namespace
 
-/// The document of the scene, and the stored results of expensive steps, from the last instances of the
-/// scene.
-class SceneSource::Memory {
+/// The file of a scene, and its document, which is read at the first instance.
+class SceneSource::Texts {
  public:
-  explicit Memory(std::filesystem::path file) : file_(std::move(file)) {}
+  explicit Texts(std::filesystem::path file, formats::StoredTexts edited = {})
+      : file_(std::move(file)), edited_(std::move(edited)) {}
 
   const std::filesystem::path& file() const { return file_; }
-
-  LoadedScene instance(const std::vector<formats::Change>& changes, Registry& registry,
-                       formats::Diagnostics& diagnostics, bool& refused,
-                       const std::shared_ptr<gears::Division>& like) {
-    formats::Value root = changed(changes, diagnostics);
-    if (diagnostics.errors()) return {};
-    SceneCatalogue catalogue(catalogue_, root, file_.parent_path(), diagnostics);
-    std::map<std::string, Strength> strengths;
-    const auto plan =
-        read_plan(root, catalogue, registry, gears::HintTrials::of_errors, diagnostics, strengths);
-    if (plan && diagnostics.errors()) return {};  // the rest of the scene cannot be checked without the gear
-    LoadedScene loaded = SceneReader(root, plan ? &plan->plan : nullptr, gear_, file_.parent_path(), registry,
-                                     diagnostics, refused)
-                             .read(like);
-    formats::accept_warnings(root, diagnostics);
-    loaded.scene.name = file_.stem().string();
-    loaded.strengths.merge(strengths);
-    if (auto& start = loaded.analysis.dynamics.start_file; !start.empty())
-      start = file_.parent_path() / start;
-    const auto meshes = std::exchange(loaded.files, document_->files());
-    append_new(loaded.files, meshes);
-    if (const gears::Catalogue* used = catalogue.loaded()) append_new(loaded.files, used->files());
-    return loaded;
-  }
-
-  gears::NetPlan check_plan(const std::vector<formats::Change>& changes, Registry& registry,
-                            formats::Diagnostics& diagnostics, bool& refused) {
-    formats::Value root = changed(changes, diagnostics);
-    if (diagnostics.errors()) return {};
-    SceneCatalogue catalogue(catalogue_, root, file_.parent_path(), diagnostics);
-    std::map<std::string, Strength> strengths;
-    const auto plan = read_plan(root, catalogue, registry, gears::HintTrials::of_all, diagnostics, strengths);
-    if (!plan) return gears::read_plan(root, *catalogue.load(), diagnostics);  // reports the missing plan
-    if (diagnostics.errors() == 0) gears::check_seams(plan->plan, diagnostics);
-    if (diagnostics.errors() == 0)
-      SceneReader(root, &plan->plan, gear_, file_.parent_path(), registry, diagnostics, refused).check();
-    formats::accept_warnings(root, diagnostics);
-    return plan->plan;
-  }
+  std::filesystem::path folder() const { return file_.parent_path(); }
+  const std::vector<formats::SourceFile>& files() const { return document_->files(); }
 
   /// The tables of the document, with the changes applied. Their places refer to the sources of
   /// `diagnostics`.
   formats::Value changed(const std::vector<formats::Change>& changes, formats::Diagnostics& diagnostics) {
-    if (!document_) document_ = formats::Document::load(file_, {}, said_);
+    if (!document_) document_ = formats::Document::load_edited(file_, edited_, said_);
     formats::Value root = document_->root();
     if (const int first = diagnostics.append(said_); first != 0) formats::shift_files(root, first);
     for (const formats::Change& change : changes)
       formats::apply(root, change, diagnostics, gears::keys_that_name_parts());
     return root;
+  }
+
+ private:
+  std::filesystem::path file_;
+  formats::StoredTexts edited_;
+  std::optional<formats::Document> document_;
+  formats::Diagnostics said_;  // messages about the document when it was loaded
+};
+
+/// The stored results of expensive steps, from the last instances of the scene.
+class SceneSource::Memory {
+ public:
+  LoadedScene instance(Texts& texts, const std::vector<formats::Change>& changes, Registry& registry,
+                       formats::Diagnostics& diagnostics, bool& refused,
+                       const std::shared_ptr<gears::Division>& like) {
+    formats::Value root = texts.changed(changes, diagnostics);
+    if (diagnostics.errors()) return {};
+    SceneCatalogue catalogue(catalogue_, root, texts.folder(), diagnostics);
+    std::map<std::string, Strength> strengths;
+    const auto plan =
+        read_plan(root, catalogue, registry, gears::HintTrials::of_errors, diagnostics, strengths);
+    if (plan && diagnostics.errors()) return {};  // the rest of the scene cannot be checked without the gear
+    LoadedScene loaded =
+        SceneReader(root, plan ? &plan->plan : nullptr, gear_, texts.folder(), registry, diagnostics, refused)
+            .read(like);
+    formats::accept_warnings(root, diagnostics);
+    loaded.scene.name = texts.file().stem().string();
+    loaded.strengths.merge(strengths);
+    if (auto& start = loaded.analysis.dynamics.start_file; !start.empty()) start = texts.folder() / start;
+    const auto meshes = std::exchange(loaded.files, texts.files());
+    append_new(loaded.files, meshes);
+    if (const gears::Catalogue* used = catalogue.loaded()) append_new(loaded.files, used->files());
+    return loaded;
+  }
+
+  gears::NetPlan check_plan(Texts& texts, const std::vector<formats::Change>& changes, Registry& registry,
+                            formats::Diagnostics& diagnostics, bool& refused) {
+    formats::Value root = texts.changed(changes, diagnostics);
+    if (diagnostics.errors()) return {};
+    SceneCatalogue catalogue(catalogue_, root, texts.folder(), diagnostics);
+    std::map<std::string, Strength> strengths;
+    const auto plan = read_plan(root, catalogue, registry, gears::HintTrials::of_all, diagnostics, strengths);
+    if (!plan) return gears::read_plan(root, *catalogue.load(), diagnostics);  // reports the missing plan
+    if (diagnostics.errors() == 0) gears::check_seams(plan->plan, diagnostics);
+    if (diagnostics.errors() == 0)
+      SceneReader(root, &plan->plan, gear_, texts.folder(), registry, diagnostics, refused).check();
+    formats::accept_warnings(root, diagnostics);
+    return plan->plan;
   }
 
  private:
@@ -258,35 +269,39 @@ class SceneSource::Memory {
     return read;
   }
 
-  std::filesystem::path file_;
-  std::optional<formats::Document> document_;
-  formats::Diagnostics said_;  // messages about the document when it was loaded
   gears::KeptCatalogue catalogue_;
   gears::Recent<PlanInput, const PlanRead> plans_{4};
   gears::PlanMemory plan_;
   GearMemory gear_;
 };
 
-SceneSource::SceneSource(std::filesystem::path file) : memory_(std::make_shared<Memory>(std::move(file))) {}
+SceneSource::SceneSource(std::filesystem::path file)
+    : texts_(std::make_shared<Texts>(std::move(file))), memory_(std::make_shared<Memory>()) {}
 
-const std::filesystem::path& SceneSource::file() const { return memory_->file(); }
+const std::filesystem::path& SceneSource::file() const { return texts_->file(); }
+
+SceneSource SceneSource::with_texts(std::filesystem::path file, formats::StoredTexts texts) const {
+  SceneSource other = *this;
+  other.texts_ = std::make_shared<Texts>(std::move(file), std::move(texts));
+  return other;
+}
 
 formats::Value SceneSource::tables(const std::vector<formats::Change>& changes,
                                    formats::Diagnostics& diagnostics) const {
-  return memory_->changed(changes, diagnostics);
+  return texts_->changed(changes, diagnostics);
 }
 
 LoadedScene SceneSource::instance(const std::vector<formats::Change>& changes, Registry& registry,
                                   formats::Diagnostics& diagnostics, bool& refused,
                                   const std::shared_ptr<gears::Division>& like) const {
-  const std::string file = memory_->file().string();
-  const formats::LongWork reading({"reading", file});
-  return memory_->instance(changes, registry, diagnostics, refused, like);
+  const std::string name = file().string();
+  const formats::LongWork reading({"reading", name});
+  return memory_->instance(*texts_, changes, registry, diagnostics, refused, like);
 }
 
 gears::NetPlan SceneSource::check_plan(const std::vector<formats::Change>& changes, Registry& registry,
                                        formats::Diagnostics& diagnostics, bool& refused) const {
-  return memory_->check_plan(changes, registry, diagnostics, refused);
+  return memory_->check_plan(*texts_, changes, registry, diagnostics, refused);
 }
 
 }  // namespace netloft::scenes

@@ -2,6 +2,7 @@
 #pragma once
 #include "framework/registry/registry.hpp"
 #include "io/formats/toml/change.hpp"
+#include "io/formats/toml/document.hpp"
 #include "io/gears/plan/net_plan.hpp"
 #include "io/scenes/reading/loaded_scene.hpp"
 
@@ -19,6 +20,10 @@ class SceneSource {
   explicit SceneSource(std::filesystem::path file);
 
   const std::filesystem::path& file() const;
+
+  /// A scene with these texts of its files, by their names as in LoadedScene::files; other files are opened.
+  /// Both scenes share stored results.
+  SceneSource with_texts(std::filesystem::path file, formats::StoredTexts texts) const;
 
   /// The tables of the file and those it includes, with `changes` applied. Names of catalogue parts stay
   /// names.
@@ -39,7 +44,9 @@ class SceneSource {
                             formats::Diagnostics& diagnostics, bool& refused) const;
 
  private:
+  class Texts;
   class Memory;
+  std::shared_ptr<Texts> texts_;
   std::shared_ptr<Memory> memory_;
 };
 

@@ -80,6 +80,8 @@ class Sensitivity {
     }
     if (request_.with_reach) find_reach(near, *change, effect);
     if (!effect.why_not.empty()) return effect;
+    if (request_.with_motion)
+      for (const double dx : *change) effect.motion.push_back(dx / near.distance);
     effect.per_unit = divided(numbers_beside(*near.above, *change, near.fraction),
                               numbers_beside(*near.below, *change, near.fraction - 1), near.distance);  // (2)
     if (request_.with_long_step) effect.by_long_step = by_long_step(number, h, *change, near.distance);

@@ -22,7 +22,8 @@ struct NumberEffect {
   std::vector<double> by_long_step;  // dg/dp by a step that is longer by kLongStep; empty: not requested
   // The value of the number at which a fold is expected; NaN: none within its typical change.
   double fold_at = results::NamedScalar::kUnknown;
-  SwitchChanges switches = {};  // what its typical change makes taut, slack, or touch or leave the ground
+  SwitchChanges switches = {};      // what its typical change makes taut, slack, or touch or leave the ground
+  std::vector<double> motion = {};  // dx/dp of (1) over all degrees of freedom; empty: not requested
 };
 
 struct Sensitivities {
@@ -43,7 +44,8 @@ struct SensitivityRequest {
   bool with_long_step = false;  // find each derivative with a second, longer step
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(std::size_t done, const std::string& path)> on_number = {};
-  bool with_reach = false;  // find what ends the validity of each derivative: switches and folds
+  bool with_reach = false;   // find what ends the validity of each derivative: switches and folds
+  bool with_motion = false;  // keep dx/dp
 };
 
 /// Why a scene has no derivatives: it is a motion, or finds a length by itself. nullopt if it can have some.
