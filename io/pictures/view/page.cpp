@@ -99,9 +99,13 @@ std::string view_page(const std::vector<const results::StoredShape*>& shapes, st
             badge_html(*result) + summary_html(*result) + materials_html(*result) + details_html(*result) +
             "</section>\n";
   page += "</main>\n<script type=\"application/json\" id=\"data\">" + results_json(shapes, most_states) +
-          "</script>\n<script>" + std::string(kPageLibraries) + "</script>\n<script>" + kPageViewer +
-          "</script>\n</body>\n</html>\n";
+          "</script>\n<script>" + std::string(kPageLibraries) + "</script>\n<script>" +
+          viewer_script(kPageStart) + "</script>\n</body>\n</html>\n";
   return page;
+}
+
+std::string viewer_script(const std::string& start) {
+  return "(() => {\n'use strict';\n" + std::string(kPageClasses) + start + "})();\n";
 }
 
 std::string report_page(const results::StoredShape& shape) {

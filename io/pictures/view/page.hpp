@@ -12,6 +12,9 @@ namespace netloft::pictures {
 /// the viewer above them. Two results are superimposed; three or more form a sweep.
 std::string view_page(const std::vector<const results::StoredShape*>& shapes, std::size_t most_states);
 
+/// The classes of the viewer and `start`, which uses them, as one script.
+std::string viewer_script(const std::string& start);
+
 /// A page with the report only, without scripts.
 std::string report_page(const results::StoredShape& shape);
 

@@ -5,7 +5,8 @@ namespace netloft::pictures {
 
 // The parts of a page that are the same for all results, made from page/ and libraries/ by CMakeLists.txt.
 extern const char* const kPageLibraries;  // three.js and uPlot
-extern const char* const kPageViewer;     // the scripts of page/
+extern const char* const kPageClasses;    // the scripts of page/ but the last one
+extern const char* const kPageStart;      // the script that shows results of a page
 extern const char* const kPageStyle;
 extern const char* const kPageBody;  // the elements of the viewer
 extern const char* const

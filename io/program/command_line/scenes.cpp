@@ -36,6 +36,17 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
                "print the numbers of the scene that each key figure depends on most, by their derivatives");
 }
 
+void add_design_command(CLI::App& app, Chosen& chosen, const char* name, const char* doc,
+                        int (*run)(const DesignOptions&)) {
+  auto [design, o] = add_command(app, chosen, name, doc, run);
+  design.add_option("GEAR_OR_SCENE", o.scene, "net plan or scene; one of the library opens as a variant")
+      ->required()
+      ->type_name("FILE.toml");
+  design.add_option("--port", o.port, "port of 127.0.0.1; default: any free one")
+      ->check(CLI::Range(1, 65535));
+  add_opening_options(design, o);
+}
+
 }  // namespace
 
 void add_scene_commands(CLI::App& app, Chosen& chosen) {
@@ -44,6 +55,11 @@ void add_scene_commands(CLI::App& app, Chosen& chosen) {
       add_command(app, chosen, "plan",
                   "print which forces and plugins a scene needs, and why others are left out", plan_command);
   add_method_options(plan, o);
+  add_design_command(app, chosen, "design",
+                     "open a gear on a local page, where its shape follows while you change it",
+                     design_command);
+  add_design_command(app, chosen, "serve",
+                     "the same for other programs: requests in JSON, until it is interrupted", serve_command);
 }
 
 }  // namespace netloft::program

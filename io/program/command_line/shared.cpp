@@ -60,6 +60,10 @@ void add_scene_plugins_option(CLI::App& command, SceneOptions& o) {
 void add_scene_options(CLI::App& command, SceneOptions& o) {
   command.add_option("SCENE", o.scene, "scene file")->required()->type_name("FILE.toml");
   add_set_option(command, o.set, "a value of the scene: parts.net.cells=[64,64]");
+  add_opening_options(command, o);
+}
+
+void add_opening_options(CLI::App& command, SceneOptions& o) {
   command
       .add_option(
           "--threads", o.threads,

@@ -27,7 +27,9 @@ void add_plugin_options(CLI::App& command, PluginOptions& o);
 CLI::Option* add_set_option(CLI::App& command, std::vector<std::string>& set, const std::string& doc);
 /// Adds --scene-plugins.
 void add_scene_plugins_option(CLI::App& command, SceneOptions& o);
-/// Adds the scene, and the options that find its plugins.
+/// Adds --threads, and the options that find the plugins of a scene.
+void add_opening_options(CLI::App& command, SceneOptions& o);
+/// Adds the scene with --set, and the options of add_opening_options().
 void add_scene_options(CLI::App& command, SceneOptions& o);
 /// Adds the scene options, and those that choose strategy and solver.
 void add_method_options(CLI::App& command, MethodOptions& o);

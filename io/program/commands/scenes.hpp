@@ -15,7 +15,13 @@ struct RunOptions : MethodOptions {
   std::vector<std::string> words;  // the command line, for the result file
 };
 
-int run_command(const RunOptions& options);      // solves a scene
-int plan_command(const MethodOptions& options);  // lists the needs of a scene
+struct DesignOptions : SceneOptions {  // `scene` is GEAR_OR_SCENE
+  int port = 0;                        // option --port; 0: any free one
+};
+
+int run_command(const RunOptions& options);        // solves a scene
+int plan_command(const MethodOptions& options);    // lists the needs of a scene
+int design_command(const DesignOptions& options);  // serves a page on which a gear is changed
+int serve_command(const DesignOptions& options);   // serves the same to programs
 
 }  // namespace netloft::program

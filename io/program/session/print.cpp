@@ -24,6 +24,8 @@ void print_line(std::string_view text) {
   std::fputc('\n', stdout);
 }
 
+void flush_answers() { std::fflush(stdout); }
+
 void print_error(std::string_view text) {
   put_safe(text, stderr);
   std::fputc('\n', stderr);

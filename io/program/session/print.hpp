@@ -12,6 +12,8 @@ namespace netloft::program {
 void print(std::string_view text);
 /// Prints an answer with a line end on standard output.
 void print_line(std::string_view text);
+/// Hands over what was printed to whoever reads standard output, for answers of a program that goes on.
+void flush_answers();
 /// Prints a message with a line end on standard error. Terminal::say() also removes a progress line first.
 void print_error(std::string_view text);
 

@@ -24,6 +24,7 @@ COMMANDS = {  # what it is called with
     "calibration_coverage.py": (PROGRAM, LIBRARY, "--draws", "1"),
     "error_bars.py": (PROGRAM, LIBRARY, "--nodes", "60", "--times", "2", "--only", "1"),
     "sensitivity.py": (PROGRAM, SOURCE / "tests/stability", "--seed", "3", "--case", "flat-sketch", "--of", "auto"),
+    "design.py": (PROGRAM, LIBRARY, "--nodes", "100", "--steps", "2"),
     "shapes.py": (PROGRAM.parent / "hard_cases", "--count", "1"),
     "unpredictable.py": (PROGRAM,),
     "in_python.py": (PROGRAM.parent.parent / "python", "--times", "1", "--solves", "3"),

@@ -38,6 +38,8 @@ COMMANDS = (
     (f"netloft run {ROPE} --set parts.rope.cells=20 --start-from rope.hdf -o again.hdf", "written to again.hdf"),
     (f"cp rope.hdf kept.hdf.part; netloft run {ROPE} --overwrite -o kept.hdf", "written to kept.hdf"),
     (f"netloft plan {ROPE} {SCENE} --strategy auto:restarts=2 --solver newton", '"memory"'),
+    (f"timeout -s INT --preserve-status 3 netloft design {ROPE} --port 47113 --threads 1 --scene-plugins {COMMON}", "http://127.0.0.1:47113/"),
+    (f"timeout -s INT --preserve-status 3 netloft serve {ROPE} --port 47114 --threads 1 --scene-plugins {COMMON}", "http://127.0.0.1:47114/"),
     (f"netloft list {COMMON}", "rope/bar"),
     (f"netloft describe rope/bar {COMMON}", "rope.EA"),
     (f"netloft schema {COMMON}", "$schema"),

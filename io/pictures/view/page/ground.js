@@ -19,6 +19,10 @@ class Ground {
     scene.add(...Object.values(this.planes));
   }
 
+  dispose() {
+    for (const mesh of Object.values(this.planes)) { mesh.geometry.dispose(); mesh.material.dispose(); mesh.removeFromParent(); }
+  }
+
   /** A grid of heights over the region around the gear. */
   plane(model, shared, places, heightAt, colour) {
     const {origin, ground: {x, y}} = model.result, n = places - 1;

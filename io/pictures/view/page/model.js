@@ -38,6 +38,12 @@ class GearModel {
     }
   }
 
+  dispose() {
+    this.group.traverse((mesh) => { if (mesh.geometry) { mesh.geometry.dispose(); mesh.material.dispose(); } });
+    this.group.removeFromParent();
+    this.texture.dispose();
+  }
+
   makeNetting() {
     const {tri, triUV, triPart, parts} = this.result, n = tri.length / 3;
     this.netting = new L.BufferGeometry();

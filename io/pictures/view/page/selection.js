@@ -60,6 +60,7 @@ class Selection {
     this.hit = hit;
     this.describe();
     this.viewer.draw();
+    this.viewer.canvas.dispatchEvent(new CustomEvent('selected', {detail: hit && this.viewer.result.parts[hit.part].name}));
   }
 
   /** The next element that is shown, whatever its kind, for those who have no pointer. */

@@ -53,6 +53,32 @@ class Viewer {
 
   // ---- what is shown
 
+  /** Shows another result in the place of the only one: the gear, its colours and its parts; the camera stays. */
+  async replace(result) {
+    const [old] = this.models, model = new GearModel(result, this.shared, this.colours);
+    this.results[0] = result;
+    this.models[0] = model;
+    old.result.parts.forEach((part, i) => { if (!part.contact && !old.shown[i]) model.showPart(part.name, false); });
+    await this.moveTo(0);
+    this.scene.add(model.group);
+    old.dispose();
+    this.ground.dispose();
+    this.ground = new Ground(model, this.shared, this.scene);
+    this.fields = new Fields(this.models);
+    this.parts = new PartList(this, $('parts'));
+    this.plan.sheets.delete(old);
+    if (result.nCells !== old.result.nCells) this.selection.set(null); else this.selection.describe();
+    this.setField(this.field.name);
+    if (!this.isTouched) this.fit();
+  }
+
+  /** Puts the nodes elsewhere, in metres, and leaves the colours as they are. */
+  showPoints(points) {
+    const {origin} = this.result;
+    this.model.move(Float32Array.from(points, (v, i) => v - origin[i % 3]));
+    this.draw();
+  }
+
   async moveTo(index) {
     const states = await Promise.all(this.frames.statesAt(index).map((state, i) => decodeState(this.results[i], state)));
     this.frames.index = index;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/design/live/equilibrium.hpp"
+
+#include "io/results/file/provenance.hpp"
+#include "io/results/file/write_result.hpp"
+
+#include <cstdlib>
+#include <system_error>
+
+namespace netloft::design {
+
+EquilibriumStore::EquilibriumStore() {
+  std::string name = (std::filesystem::temp_directory_path() / "netloft-design-XXXXXX").string();
+  if (!::mkdtemp(name.data()))
+    throw std::filesystem::filesystem_error("no temporary folder can be made", name,
+                                            std::error_code(errno, std::generic_category()));
+  folder_ = name;
+}
+
+EquilibriumStore::~EquilibriumStore() {
+  std::error_code none;
+  std::filesystem::remove_all(folder_, none);
+}
+
+results::StoredShape EquilibriumStore::shape_of(const Equilibrium& of) const {
+  const std::filesystem::path path = folder_ / (of.scene->loaded().scene.name + ".hdf");
+  std::error_code none;
+  std::filesystem::remove(path, none);
+  formats::ResultFile file(path);
+  results::Result result = of.result;
+  result.origins =
+      results::make_origins(of.scene->loaded(), {{}, results::utc_now(), of.scene->registry().opened(), {}});
+  result.origins.finished = results::utc_now();
+  result.path = path.string();
+  results::write_result(file, of.scene->loaded(), of.scene->assembler(), {of.solution, {}}, result);
+  file.finish();
+  return results::StoredShape(path);
+}
+
+}  // namespace netloft::design

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/design/live/live_scene.hpp"
+
+#include "framework/balance/scales.hpp"
+#include "framework/judging/correction.hpp"
+#include "io/design/live/switched_parts.hpp"
+#include "io/design/texts/scene_texts.hpp"
+#include "io/formats/work/interruptible_work.hpp"
+#include "io/gears/drawing/drawing.hpp"
+#include "io/results/file/start_from.hpp"
+#include "io/runs/equilibrium.hpp"
+#include "io/runs/tangent.hpp"
+#include "io/studies/sweep/branch.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace netloft::design {
+
+namespace {
+
+Outcome::Status status_of(const Solution& solution) {
+  switch (solution.status) {
+    case SolveStatus::converged:
+      return Outcome::Status::converged;
+    case SolveStatus::interrupted:
+      return Outcome::Status::interrupted;
+    default:
+      return Outcome::Status::not_converged;
+  }
+}
+
+double distance_between(const runs::PreparedScene& scene, const std::vector<double>& a,
+                        const std::vector<double>& b) {
+  return largest_node_distance(scene.loaded().scene, scene.assembler().numbering(), a, b);
+}
+
+/// Positions x + times dx.
+std::vector<double> led(const std::vector<double>& x, const std::vector<double>& dx, double times) {
+  return runs::moved({x, {}}, dx, times).x;
+}
+
+}  // namespace
+
+const char* name_of(Outcome::Status status) {
+  switch (status) {
+    case Outcome::Status::wrong_input:
+      return "wrong input";
+    case Outcome::Status::refused:
+      return "plugin refused";
+    case Outcome::Status::no_equilibrium_sought:
+      return "no equilibrium sought";
+    case Outcome::Status::converged:
+      return "converged";
+    case Outcome::Status::not_converged:
+      return "not converged";
+    case Outcome::Status::interrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+LiveScene::LiveScene(const std::filesystem::path& file, Registry& registry, int threads)
+    : registry_(registry), source_(file, {}, threads) {}
+
+Outcome LiveScene::follow(const std::filesystem::path& file, const formats::StoredTexts& texts,
+                          const std::optional<MovedNumber>& moved, const std::atomic<bool>& interrupt) {
+  Outcome outcome;
+  source_.scene = source_.scene.with_texts(file, texts);
+  const formats::InterruptibleWork reading(interrupt);
+  formats::CollectedWords collected;
+  try {
+    const auto scene = prepare(source_, outcome);
+    collected.by_path.merge(words_);
+    words_ = std::move(collected.by_path);
+    if (!scene) return outcome;
+    outcome.has_same_mesh = last_ && runs::have_same_topology(*last_->scene, *scene);
+    const std::vector<double> expected = expected_place(*scene, moved, outcome.has_same_mesh);
+    const runs::Watch watch{.interrupt = &interrupt};
+    auto next = std::make_unique<Equilibrium>();
+    next->scene = scene;
+    next->solution = expected.empty() ? runs::find_equilibrium(*scene, watch)
+                                      : runs::find_equilibrium_near(*scene, expected, watch);
+    outcome.solving_seconds = next->solution.cost.statistics.total_seconds;
+    outcome.status = status_of(next->solution);
+    outcome.sentence = next->solution.reason;
+    outcome.at_fault = next->solution.at_fault;
+    if (outcome.status != Outcome::Status::converged) return outcome;
+    next->points = scene->assembler().node_positions(next->solution.x);
+    if (outcome.has_same_mesh && moved) compare(*next, expected, outcome);
+    next->result = results::make_result(scene->loaded(), scene->assembler(), next->solution);
+    if (!first_) first_ = std::make_unique<Equilibrium>(*next);
+    last_ = std::move(next);
+    tangents_.clear();
+  } catch (const formats::Interrupted&) {
+    outcome.status = Outcome::Status::interrupted;
+  }
+  return outcome;
+}
+
+/// Reads the scene; nullptr if no equilibrium can be sought, which the outcome then says.
+std::shared_ptr<runs::PreparedScene> LiveScene::prepare(const runs::CaseSource& source,
+                                                        Outcome& outcome) const {
+  auto scene = std::make_shared<runs::PreparedScene>(
+      source, registry_, last_ ? last_->scene->factorisations() : MakeFactorisation{});
+  const auto state = scene->prepare();
+  outcome.diagnostics = scene->diagnostics();
+  outcome.reading_seconds = scene->seconds().reading + scene->seconds().setup;
+  if (state != runs::PreparedScene::State::ready) {
+    outcome.status = state == runs::PreparedScene::State::refused ? Outcome::Status::refused
+                                                                  : Outcome::Status::wrong_input;
+    return nullptr;
+  }
+  outcome.status = Outcome::Status::no_equilibrium_sought;
+  if (scene->loaded().analysis.kind == AnalysisKind::dynamics)
+    outcome.sentence =
+        "this scene is a motion, and a design shows equilibria; set analysis.kind = \"static\"";
+  else if (const auto why_not = runs::why_unfit(*scene))
+    outcome.sentence = *why_not;
+  else
+    return scene;
+  return nullptr;
+}
+
+/// Displacements at which the equilibrium of the scene is expected; empty if nothing is known of it.
+std::vector<double> LiveScene::expected_place(const runs::PreparedScene& scene,
+                                              const std::optional<MovedNumber>& moved, bool has_same_mesh) {
+  if (!last_) return {};
+  const Assembler& assembler = scene.assembler();
+  if (!has_same_mesh) return carried_from(*last_, scene);
+  if (!moved) return assembler.displacements_to(last_->solution.x);
+  try {
+    const studies::NumberEffect& effect = tangents(moved->path).effect;
+    if (!effect.motion.empty())
+      return assembler.displacements_to(
+          led(last_->solution.x, effect.motion, moved->to - effect.number.value));
+  } catch (const Refused&) {  // the number was not in the text before
+  }
+  return assembler.displacements_to(last_->solution.x);
+}
+
+/// Says how far the equilibrium is from where the tangent led, and whether it has jumped: by the rule of
+/// studies::Branch, if it is noticeably off, and by more than it moved as a whole.
+void LiveScene::compare(const Equilibrium& next, const std::vector<double>& expected, Outcome& outcome) {
+  Assembler& assembler = next.scene->assembler();
+  std::vector<double> ghost(assembler.start().begin(), assembler.start().end());
+  assembler.place(expected, ghost);
+  const double off = distance_between(*next.scene, next.solution.x, ghost);
+  const double went = distance_between(*next.scene, next.solution.x, last_->solution.x);
+  const double size = Scales(assembler).gear_size();
+  outcome.ghost_off = off;
+  const double led_to = distance_between(*next.scene, ghost, last_->solution.x);
+  if (off <= studies::BranchOptions{}.noticed * size || off <= led_to) return;
+  outcome.jump =
+      Jump{off, went, switched_parts(*last_->scene, last_->solution.x, *next.scene, next.solution.x)};
+}
+
+/// Displacements at which a scene with another mesh has the shape of an equilibrium; empty if it has none of
+/// its parts.
+std::vector<double> LiveScene::carried_from(const Equilibrium& from, const runs::PreparedScene& to) const {
+  try {
+    return to.assembler().displacements(results::positions_from(store_.shape_of(from), to.loaded()));
+  } catch (const formats::FileError&) {
+    return {};
+  }
+}
+
+const Equilibrium& LiveScene::need_equilibrium() const {
+  if (!last_) throw Refused("there is no equilibrium yet");
+  for (const auto& why_not :
+       {studies::why_no_derivatives(last_->solution), studies::why_no_derivatives(last_->scene->loaded())})
+    if (why_not) throw Refused(*why_not);
+  return *last_;
+}
+
+studies::SceneNumber LiveScene::number(const std::string& path) {
+  if (!last_) throw Refused("there is no equilibrium yet");
+  try {
+    auto chosen = studies::chosen_numbers(*last_->scene, {path});
+    if (chosen.size() == 1) return std::move(chosen.front());
+  } catch (const std::invalid_argument& e) {
+    throw Refused(e.what());
+  }
+  throw Refused(path + " is not one number, but a table of several; name one of them");
+}
+
+const Tangents& LiveScene::tangents(const std::string& path) {
+  const Equilibrium& at = need_equilibrium();
+  for (const auto& known : tangents_)
+    if (known->effect.number.path == path) return *known;
+  auto found = std::make_unique<Tangents>();
+  auto effects =
+      studies::find_sensitivities(
+          *at.scene, at.solution,
+          {.figures = studies::all_figures(at.result), .numbers = {number(path)}, .with_motion = true})
+          .effects;
+  if (effects.empty()) throw formats::Interrupted{};
+  found->effect = std::move(effects.front());
+  if (!found->effect.motion.empty()) {
+    const auto there = at.scene->assembler().node_positions(led(at.solution.x, found->effect.motion, 1));
+    for (std::size_t i = 0; i < there.size(); ++i) found->motion.push_back(there[i] - at.points[i]);
+  }
+  tangents_.push_back(std::move(found));
+  return *tangents_.back();
+}
+
+studies::Sensitivities LiveScene::influences(const std::atomic<bool>& interrupt,
+                                             const std::function<void(std::size_t, std::size_t)>& on_number) {
+  const Equilibrium& at = need_equilibrium();
+  const auto numbers = studies::chosen_numbers(*at.scene, {});
+  return studies::find_sensitivities(
+      *at.scene, at.solution,
+      {.figures = studies::all_figures(at.result),
+       .numbers = numbers,
+       .interrupt = &interrupt,
+       .on_number = [&](std::size_t done, const std::string&) { on_number(done, numbers.size()); }});
+}
+
+results::StoredShape LiveScene::shape() const {
+  if (!last_) throw Refused("there is no equilibrium yet");
+  return store_.shape_of(*last_);
+}
+
+formats::Diagnostics LiveScene::check() {
+  formats::Diagnostics said;
+  bool refused = false;
+  source_.scene.check_plan({}, registry_, said, refused);
+  return said;
+}
+
+std::string LiveScene::plan_drawing() {
+  formats::Diagnostics said;
+  bool refused = false;
+  const gears::NetPlan plan = source_.scene.check_plan({}, registry_, said, refused);
+  if (said.errors() || plan.panels.empty()) return "";
+  formats::SvgPicture picture;
+  const formats::DrawingSize size = gears::draw_plan(plan, picture);
+  return picture.finish(size, size.width);
+}
+
+std::unique_ptr<Equilibrium> LiveScene::neighbour(const Equilibrium& from, const studies::SceneNumber& number,
+                                                  double value, const std::atomic<bool>& interrupt) {
+  Outcome outcome;
+  runs::CaseSource source = from.scene->source();
+  formats::append(source.changes, number.to(value));
+  auto next = std::make_unique<Equilibrium>();
+  next->scene = prepare(source, outcome);
+  if (!next->scene) return nullptr;
+  const auto u = runs::have_same_topology(*from.scene, *next->scene)
+                     ? next->scene->assembler().displacements_to(from.solution.x)
+                     : carried_from(from, *next->scene);
+  next->solution = runs::find_equilibrium_near(*next->scene, u, {.interrupt = &interrupt});
+  if (next->solution.status == SolveStatus::interrupted) throw formats::Interrupted{};
+  if (next->solution.status != SolveStatus::converged) return nullptr;
+  next->points = next->scene->assembler().node_positions(next->solution.x);
+  next->result = results::make_result(next->scene->loaded(), next->scene->assembler(), next->solution);
+  return next;
+}
+
+}  // namespace netloft::design

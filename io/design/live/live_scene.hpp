@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/design/live/equilibrium.hpp"
+#include "io/formats/toml/document.hpp"
+#include "io/formats/toml/number_words.hpp"
+#include "io/studies/sensitivity/sensitivity.hpp"
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace netloft::design {
+
+/// A number of the scene that was moved, and nothing else.
+struct MovedNumber {
+  std::string path;
+  double to = 0;  // in the unit in which it is written
+};
+
+/// How the equilibrium and the figures change with one number, to first order (studies::NumberEffect).
+struct Tangents {
+  studies::NumberEffect effect;
+  std::vector<double> motion;  // of the nodes, 3 each, per unit of the number [m]; empty: see effect.why_not
+};
+
+/// The tangent led elsewhere than the equilibrium is.
+struct Jump {
+  double off = 0, moved = 0;  // largest distances of a node from its expected and from its last place [m]
+  std::string why;            // what changed on the way, as far as it is known
+};
+
+/// The fate of a text.
+struct Outcome {
+  enum class Status { wrong_input, refused, no_equilibrium_sought, converged, not_converged, interrupted };
+  Status status = Status::wrong_input;
+  formats::Diagnostics diagnostics = {};  // messages about the text
+  std::string sentence = {}, at_fault = {};
+  bool has_same_mesh = false;            // nodes are those of the last equilibrium
+  std::optional<double> ghost_off = {};  // distance between tangent and equilibrium, as in Jump [m]
+  std::optional<Jump> jump = {};
+  double reading_seconds = 0, solving_seconds = 0;
+};
+const char* name_of(Outcome::Status status);
+
+/// The scene of a text that changes, and its equilibrium, continued from that of the text before. What does
+/// not converge leaves the last equilibrium in place. One thread only.
+class LiveScene {
+ public:
+  LiveScene(const std::filesystem::path& file, Registry& registry, int threads);
+
+  /// Reads the scene with these texts of its files, and finds its equilibrium. `moved`: the only difference
+  /// to the last text. When `interrupt` is set, the search ends with Status::interrupted.
+  Outcome follow(const std::filesystem::path& file, const formats::StoredTexts& texts,
+                 const std::optional<MovedNumber>& moved, const std::atomic<bool>& interrupt);
+
+  /// The last equilibrium, and the first one, with which others are compared; nullptr: none yet.
+  const Equilibrium* last() const { return last_.get(); }
+  const Equilibrium* first() const { return first_.get(); }
+
+  /// The tangents at the last equilibrium for a number of its scene; found once for each. Throws Refused if
+  /// there is no such number, or no equilibrium.
+  const Tangents& tangents(const std::string& path);
+  /// The derivatives of all figures with respect to all numbers of the scene. Throws Refused.
+  studies::Sensitivities influences(const std::atomic<bool>& interrupt,
+                                    const std::function<void(std::size_t, std::size_t)>& on_number);
+  /// The shape and the fields of the last equilibrium, for pictures. Throws Refused.
+  results::StoredShape shape() const;
+  /// All messages about the plan of the last text, its warnings with tried cures.
+  formats::Diagnostics check();
+  /// The plan of the last text as SVG; empty without a plan, or if it has errors.
+  std::string plan_drawing();
+  /// Equilibria at other values of a number, continued from the last one: none where the search fails.
+  std::unique_ptr<Equilibrium> neighbour(const Equilibrium& from, const studies::SceneNumber& number,
+                                         double value, const std::atomic<bool>& interrupt);
+  /// Units, ranges and sentences of the numbers that were read so far, by their paths.
+  const std::map<std::string, formats::NumberWords>& words() const { return words_; }
+  /// A number of the scene of the last equilibrium. Throws Refused.
+  studies::SceneNumber number(const std::string& path);
+
+ private:
+  std::shared_ptr<runs::PreparedScene> prepare(const runs::CaseSource& source, Outcome& outcome) const;
+  std::vector<double> expected_place(const runs::PreparedScene& scene,
+                                     const std::optional<MovedNumber>& moved, bool has_same_mesh);
+  void compare(const Equilibrium& next, const std::vector<double>& expected, Outcome& outcome);
+  std::vector<double> carried_from(const Equilibrium& from, const runs::PreparedScene& to) const;
+  const Equilibrium& need_equilibrium() const;
+
+  EquilibriumStore store_;
+  std::map<std::string, formats::NumberWords> words_;
+  Registry& registry_;
+  runs::CaseSource source_;  // the last text, whether it is right or wrong
+  std::unique_ptr<Equilibrium> last_, first_;
+  std::vector<std::unique_ptr<Tangents>> tangents_;  // at last_
+};
+
+}  // namespace netloft::design

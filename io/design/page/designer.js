@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The page of a design: numbers that move a shape. The text of the files is what counts; the server has it.
+
+const REST = 70;        // milliseconds without a move of a slider, after which the equilibrium is sought
+const LONG_REST = 350;  // after which picture, checks and plan follow
+
+class Designer {
+  constructor(root) {
+    this.server = new Server(root);
+    this.shape = new Shape(this.server);
+    this.times = [];  // of equilibria, from the move to the shape [ms]
+    this.numbers = new NumberList($('number-list'), (...move) => this.moved(...move), (path) => this.shape.prepare(path));
+    this.text = new TextPane(this.server, (file, text) => this.apply({file, text, goes_on: true}));
+    this.questions = new Questions(this.server, (path, to) => this.apply({path, to}), (path) => { $('filter').value = path; this.numbers.filter(path); });
+    this.shape.onPart = (part) => { this.numbers.open(part); this.text.scrollTo(part); };
+    this.connectButtons();
+    this.connectPlan();
+  }
+
+  connectButtons() {
+    const press = (id, work) => $(id).addEventListener('click', () => this.attempt(work));
+    press('undo', async () => this.showState(await this.server.ask('undo')));
+    press('redo', async () => this.showState(await this.server.ask('redo')));
+    press('save-text', async () => { const state = await this.server.ask('save'); this.showState(state); this.say(state.written.length ? `written: ${state.written.join(', ')}` : 'there was nothing to write'); });
+    press('save-as', async () => {
+      const as = window.prompt('Name of the file, in the folder of the scene', 'my-trawl.toml');
+      if (as) { const state = await this.server.ask('save', {as}); this.showState(state); this.say(`written: ${state.written.join(', ')}`); }
+    });
+    press('go-back', async () => { $('notice').hidden = true; this.showState(await this.server.ask('undo')); });
+    press('dismiss', async () => { $('notice').hidden = true; });
+    $('set-form').addEventListener('submit', (event) => { event.preventDefault(); this.apply({set: $('set').value}); });
+    document.addEventListener('keydown', (event) => {
+      const isUndo = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === 'z';
+      if (!isUndo || /^(TEXTAREA|INPUT)$/.test(document.activeElement.tagName) && document.activeElement.type !== 'range') return;
+      event.preventDefault();
+      $(event.shiftKey ? 'redo' : 'undo').click();
+    });
+  }
+
+  /** A click on the plan opens the part whose name is nearest. */
+  connectPlan() {
+    $('pane-plan').addEventListener('click', (event) => {
+      let best = null;
+      for (const text of $('pane-plan').querySelectorAll('text')) {
+        const name = text.textContent.split(':')[0].trim(), box = text.getBoundingClientRect();
+        if (![...this.numbers.rows.keys()].some((path) => path.split('.')[1] === name) && !this.partNames().includes(name)) continue;
+        const away = Math.hypot(event.clientX - box.left - box.width / 2, event.clientY - box.top - box.height / 2);
+        if (!best || away < best.away) best = {name, away};
+      }
+      if (best) this.shape.onPart(best.name);
+    });
+  }
+
+  partNames() { return this.shape.viewer ? this.shape.viewer.result.parts.map((p) => p.name) : []; }
+
+  say(text) { $('said').textContent = text; }
+
+  async attempt(work) {
+    try { await work(); } catch (error) { this.say(error.message); }
+  }
+
+  // ---- changes
+
+  /** A slider moves: the ghost at once, the equilibrium when it rests. */
+  moved(path, value, isMoving) {
+    this.moving = {path, value, at: performance.now()};
+    this.shape.ghost(path, value).then((figures) => { if (figures && this.moving && this.moving.value === value) showKeyFigures(figures, true); });
+    clearTimeout(this.rest);
+    const goesOn = this.gesture === path;
+    this.rest = setTimeout(() => { this.gesture = isMoving ? path : null; this.apply({path, to: value, goes_on: goesOn}); }, isMoving ? REST : 0);
+  }
+
+  async apply(change) {
+    await this.attempt(async () => {
+      this.begun = this.moving ? this.moving.at : performance.now();
+      const state = await this.server.ask('apply', change);
+      this.wanted = state.revision;
+      this.showState(state);
+    });
+  }
+
+  showState(state) {
+    Object.assign(this, {revision: Math.max(this.revision || 0, state.revision)});
+    $('title').textContent = document.title = state.file;
+    $('undo').disabled = !state.can_undo;
+    $('redo').disabled = !state.can_redo;
+    $('saved').textContent = state.saved ? 'saved' : 'not saved';
+    this.numbers.show(state.numbers);
+    this.text.show(state.files, state.file);
+    this.text.mark(state.messages);
+    if (this.shape.figures.length) this.questions.show(this.shape.figures, state.numbers);
+    this.list = state.numbers;
+  }
+
+  // ---- answers
+
+  async solved(outcome) {
+    if (outcome.revision < (this.wanted || 0)) return;
+    if (outcome.status === 'converged') await this.takeShape(outcome);
+    else this.takeFailure(outcome);
+    clearTimeout(this.longRest);
+    this.longRest = setTimeout(() => this.attempt(() => this.followUp(outcome)), this.shape.viewer || this.shape.isFlat ? LONG_REST : 0);
+  }
+
+  async takeShape(outcome) {
+    await this.shape.take(outcome);
+    if (this.begun) { this.times.push(performance.now() - this.begun); this.begun = null; }
+    this.moving = null;
+    showKeyFigures(outcome.figures, false);
+    showReport(outcome.figures);
+    if (this.list) this.questions.show(outcome.figures, this.list);
+    const ms = Math.round(1000 * (outcome.seconds.reading + outcome.seconds.solving));
+    this.say(`equilibrium found in ${ms} ms`);
+    if (outcome.jump) this.warn(`The gear jumped: it is ${formatNumber(outcome.jump.off, 3)} m from where the slider's tangent led. ${outcome.jump.why}.`);
+    else $('notice').hidden = true;
+    const held = document.activeElement && document.activeElement.closest && document.activeElement.closest('.one-number');
+    if (held) this.shape.prepare(held.dataset.path);
+    document.documentElement.dataset.revision = String(outcome.revision);
+  }
+
+  takeFailure(outcome) {
+    this.moving = null;
+    this.shape.setGrey(true);
+    showKeyFigures(this.shape.figures, false);
+    const error = outcome.messages.find((m) => m.severity === 'error');
+    this.warn(error ? `${error.message}${error.hint ? `; ${error.hint}` : ''}` : `${outcome.status}: ${outcome.sentence}${outcome.at_fault ? ` (at ${outcome.at_fault})` : ''}. The last shape is kept, in grey.`);
+    showMessages($('checks'), outcome.messages, (set) => this.apply({set}));
+    document.documentElement.dataset.revision = String(outcome.revision);
+  }
+
+  warn(text) {
+    $('notice-text').textContent = text;
+    $('notice').hidden = false;
+  }
+
+  /** What may come a little later: the colours of the picture, the checks, the plan, the materials. */
+  async followUp(outcome) {
+    if (outcome.revision < this.revision) return;
+    const {svg} = await this.server.ask('plan');
+    this.showPlan(svg);
+    showMessages($('checks'), outcome.messages.length && outcome.status === 'wrong input' ? outcome.messages : (await this.server.ask('check')).messages, (set) => this.apply({set}));
+    if (outcome.status !== 'converged') return;
+    if (!this.shape.isFlat) await this.shape.showPicture(await this.server.ask('picture'));
+    this.showMaterials(await this.server.ask('report'));
+    this.list = (await this.server.ask('state')).numbers;
+    this.numbers.show(this.list);
+    document.documentElement.dataset.ready = 'yes';
+  }
+
+  showPlan(svg) {
+    if (!svg) return;
+    const drawn = new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement;
+    if (drawn.nodeName !== 'svg') return;
+    drawn.setAttribute('role', 'img');
+    drawn.setAttribute('aria-label', 'The plan');
+    $('pane-plan').replaceChildren(document.adoptNode(drawn));
+  }
+
+  /** Tables that the program has made, in which all texts are escaped. */
+  showMaterials({summary, deck, materials}) {
+    $('materials').replaceChildren(...new DOMParser().parseFromString(summary + deck + materials, 'text/html').body.childNodes);
+  }
+
+  async start() {
+    const state = await this.server.ask('state');
+    this.showState(state);
+    this.server.listen(state.event, {
+      solving: () => this.say('seeking the equilibrium …'),
+      solved: (outcome) => this.attempt(() => this.solved(outcome)),
+      changed: (changed) => { this.showState(changed); this.say('a file was changed by another program and read again'); },
+      progress: ({done, of}) => { $('answer').textContent = `working: ${done} of ${of}`; },
+    }, () => this.warn('The program has ended. What was not saved is lost; start netloft design again.'));
+    if (state.outcome) await this.solved(state.outcome);
+  }
+}
+
+window.netloftDesigner = new Designer(window.location.pathname);
+window.netloftDesigner.start().catch((error) => { $('status').textContent = `The page cannot be shown: ${error.message}.`; $('status').hidden = false; });

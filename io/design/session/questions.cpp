@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/design/session/questions.hpp"
+
+#include "io/design/session/session.hpp"
+#include "io/formats/units/units.hpp"
+#include "io/formats/work/interruptible_work.hpp"
+#include "io/pictures/view/report_html.hpp"
+#include "io/pictures/view/result_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace netloft::design {
+
+namespace {
+
+constexpr int kMostPoints = 201;      // of a sweep
+constexpr int kMostSteps = 25;        // towards a target
+constexpr double kOnTarget = 1e-6;    // of the target, or of the figure's first value if the target is zero
+constexpr double kLongestStep = 0.5;  // largest change of the number in one step, over its size
+constexpr int kHalvings = 6;          // of a step that ends at no equilibrium
+
+const Equilibrium& need_last(const LiveScene& scene) {
+  if (!scene.last()) throw Refused("there is no equilibrium yet");
+  return *scene.last();
+}
+
+std::size_t figure_called(const Equilibrium& at, const std::string& name) {
+  const auto figures = studies::all_figures(at.result);
+  const auto found = std::ranges::find(figures, name, &results::NamedScalar::name);
+  if (found == figures.end()) throw Refused("there is no figure \"" + name + "\"");
+  return static_cast<std::size_t>(found - figures.begin());
+}
+
+double value_of(const Equilibrium& at, const std::string& figure) {
+  const auto figures = studies::all_figures(at.result);
+  const auto* found = results::find_scalar(figures, figure);
+  return found ? found->value : results::NamedScalar::kUnknown;
+}
+
+Json number_or_nothing(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json effect_json(const studies::NumberEffect& effect, std::size_t figure) {
+  return {{"path", effect.number.path},
+          {"value", effect.number.value},
+          {"unit", effect.number.unit},
+          {"slope", number_or_nothing(effect.per_unit[figure])},
+          {"per_percent", number_or_nothing(studies::effect_of_percent(effect, figure))}};
+}
+
+/// Fills the figures at the values on one side of the present one, outwards, each from its neighbour.
+template <class Indices>
+void sweep_side(LiveScene& scene, const studies::SceneNumber& number, const std::vector<double>& values,
+                const Indices& indices, const std::function<void(std::size_t, const Equilibrium*)>& on_point,
+                const std::atomic<bool>& interrupt) {
+  std::unique_ptr<Equilibrium> before;
+  for (const std::size_t i : indices) {
+    const Equilibrium& from = before ? *before : need_last(scene);
+    auto next = scene.neighbour(from, number, values[i], interrupt);
+    on_point(i, next.get());
+    if (next) before = std::move(next);
+  }
+}
+
+}  // namespace
+
+Json picture_json(const LiveScene& scene) {
+  const results::StoredShape shape = scene.shape();
+  return Json::parse(pictures::results_json({&shape}, 1));
+}
+
+Json report_json(const LiveScene& scene) {
+  const Equilibrium& now = need_last(scene);
+  return {{"figures", figures_json(now, *scene.first())},
+          {"summary", pictures::summary_html(now.result)},
+          {"materials", pictures::materials_html(now.result)},
+          {"deck", pictures::deck_html(now.result)}};
+}
+
+Json influences_json(LiveScene& scene, const std::string& figure, const std::atomic<bool>& interrupt,
+                     const OnDone& on_done) {
+  const std::size_t f = figure_called(need_last(scene), figure);
+  const studies::Sensitivities found = scene.influences(interrupt, on_done);
+  if (found.is_interrupted) throw formats::Interrupted{};
+  Json json = {{"figure", figure}, {"ranked", Json::array()}, {"without", Json::array()}};
+  for (const auto* effect : studies::ranked_effects(found, f))
+    json["ranked"].push_back(effect_json(*effect, f));
+  for (const auto& effect : found.effects)
+    if (!effect.why_not.empty())
+      json["without"].push_back({{"path", effect.number.path}, {"why", effect.why_not}});
+  return json;
+}
+
+Json sweep_json(LiveScene& scene, const SweepQuestion& question, const std::atomic<bool>& interrupt,
+                const OnDone& on_done) {
+  if (question.points < 2 || question.points > kMostPoints)
+    throw WrongRequest("\"points\" is " + std::to_string(question.points) + "; it has to be between 2 and " +
+                       std::to_string(kMostPoints));
+  const formats::InterruptibleWork work(interrupt);
+  const studies::SceneNumber number = scene.number(question.path);
+  const auto names = studies::all_figures(need_last(scene).result);
+  const auto count = static_cast<std::size_t>(question.points);
+  std::vector<double> values;
+  std::vector<std::size_t> up, down;
+  Json figures = Json::object();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+    values.push_back(question.from + share * (question.to - question.from));
+    (values.back() >= number.value ? up : down).push_back(i);
+  }
+  std::ranges::sort(up, {}, [&](std::size_t i) { return values[i]; });
+  std::ranges::sort(down, std::greater{}, [&](std::size_t i) { return values[i]; });
+  for (const auto& figure : names) figures[figure.name] = Json(std::vector<Json>(count));
+  std::size_t done = 0;
+  const auto put = [&](std::size_t i, const Equilibrium* at) {
+    for (const auto& figure : names)
+      figures[figure.name][i] = at ? number_or_nothing(value_of(*at, figure.name)) : Json(nullptr);
+    on_done(++done, count);
+  };
+  sweep_side(scene, number, values, up, put, interrupt);
+  sweep_side(scene, number, values, down, put, interrupt);
+  return {{"path", number.path}, {"unit", number.unit}, {"values", values}, {"figures", figures}};
+}
+
+namespace {
+
+/// The search for the value of a number at which a figure has its target.
+class TargetSearch {
+ public:
+  TargetSearch(LiveScene& scene, const ReachQuestion& question, const std::atomic<bool>& interrupt)
+      : scene_(scene),
+        question_(question),
+        interrupt_(interrupt),
+        number_(scene.number(question.path)),
+        at_(&need_last(scene)),
+        value_(number_.value),
+        figure_(value_of(*at_, question.figure)),
+        scale_(std::abs(question.target) > 0 ? std::abs(question.target) : std::abs(figure_)) {}
+
+  Json find() {
+    double slope = slope_by_tangent();
+    for (int step = 0; step < kMostSteps && !is_there(); ++step) {
+      const double before = value_, then = figure_;
+      if (!(std::abs(slope) > 0) || !go(limited((question_.target - figure_) / slope)))
+        throw Refused(nearest_so_far());
+      if (figure_ != then) slope = (figure_ - then) / (value_ - before);
+    }
+    if (!is_there()) throw Refused(nearest_so_far());
+    return {{"path", number_.path},
+            {"value", value_},
+            {"unit", number_.unit},
+            {"figure", question_.figure},
+            {"reached", figure_}};
+  }
+
+ private:
+  /// On target, as far as the solver knows the figure.
+  bool is_there() const {
+    const auto figures = studies::all_figures(at_->result);
+    const double error = results::find_scalar(figures, question_.figure)->solver_error;
+    return std::abs(figure_ - question_.target) <= std::fmax(kOnTarget * scale_, error);
+  }
+
+  double slope_by_tangent() {
+    const Tangents& tangents = scene_.tangents(number_.path);
+    if (!tangents.effect.why_not.empty()) throw Refused(number_.path + ": " + tangents.effect.why_not);
+    return tangents.effect.per_unit[figure_called(*at_, question_.figure)];
+  }
+
+  double limited(double step) const {
+    const double most = kLongestStep * (value_ != 0 ? std::abs(value_) : 1);
+    return std::clamp(step, -most, most);
+  }
+
+  /// Moves the number; by less if there is no equilibrium so far away.
+  bool go(double step) {
+    for (int halving = 0; halving < kHalvings; ++halving, step /= 2) {
+      auto next = scene_.neighbour(*at_, number_, value_ + step, interrupt_);
+      if (!next) continue;
+      kept_ = std::move(next);
+      at_ = kept_.get();
+      value_ += step;
+      figure_ = value_of(*at_, question_.figure);
+      return std::isfinite(figure_);
+    }
+    return false;
+  }
+
+  std::string nearest_so_far() const {
+    return question_.figure + " does not reach " + formats::format(question_.target) + " with " +
+           number_.path + " alone; it is " + formats::format(figure_) + " at " + formats::format(value_) +
+           (number_.unit.empty() ? "" : " " + number_.unit);
+  }
+
+  LiveScene& scene_;
+  const ReachQuestion& question_;
+  const std::atomic<bool>& interrupt_;
+  studies::SceneNumber number_;
+  const Equilibrium* at_;
+  std::unique_ptr<Equilibrium> kept_;
+  double value_, figure_, scale_;
+};
+
+}  // namespace
+
+Json reach_json(LiveScene& scene, const ReachQuestion& question, const std::atomic<bool>& interrupt) {
+  const formats::InterruptibleWork work(interrupt);
+  figure_called(need_last(scene), question.figure);
+  return TargetSearch(scene, question, interrupt).find();
+}
+
+}  // namespace netloft::design

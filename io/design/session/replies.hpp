@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/design/live/live_scene.hpp"
+#include "io/design/texts/scene_texts.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace netloft::design {
+
+using Json = nlohmann::ordered_json;
+
+/// Messages in the order of their places: severity, file, line, column, length, message, hint and the changes
+/// that cure it.
+Json messages_json(const formats::Diagnostics& diagnostics);
+
+/// The characters that an edit replaced, with line and column of the first one.
+Json edit_json(const Edit& edit, const formats::StoredTexts& texts);
+
+/// The numbers of a scene: path, value, unit, allowed range in that unit, sentence, and the place in a file.
+Json numbers_json(const formats::Document& document,
+                  const std::map<std::string, formats::NumberWords>& words);
+
+/// All figures of an equilibrium with their errors, and their values at the first one. Unknown numbers are
+/// null.
+Json figures_json(const Equilibrium& now, const Equilibrium& first);
+
+/// The fate of a text; with the positions and figures of the equilibrium if it has one.
+Json outcome_json(const Outcome& outcome, const LiveScene& scene);
+
+/// The tangents of a number: the motion of the nodes and the slopes of the figures per unit of the number.
+Json tangents_json(const Tangents& tangents, const Equilibrium& at);
+
+}  // namespace netloft::design

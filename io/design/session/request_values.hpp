@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace netloft::design {
+
+// Members of the body of a request. Each throws WrongRequest if it is missing or of another kind.
+std::string text_in(const nlohmann::ordered_json& body, const char* name);
+double number_in(const nlohmann::ordered_json& body, const char* name);
+/// False if it is missing.
+bool flag_in(const nlohmann::ordered_json& body, const char* name);
+
+}  // namespace netloft::design

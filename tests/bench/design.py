@@ -1,0 +1,101 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Measures how fast a shape follows a number that is moved, as `netloft serve` answers programs and pages.
+
+    design.py NETLOFT GEAR_LIBRARY [--nodes 500 2000] [--steps 40] [--step 0.05] [--threads 1]
+
+Moves numbers of the 83-112 in the flume (half), and of a trawl with boards at sea, up and down by a part of their size, and prints a
+Markdown table with the times of answers [ms]: the tangent of a number, then the median and the 95th percentile of equilibria, with
+`--step` (5 %) a step; of how many steps no equilibrium was found; of how many it jumped; and the time from the command to the first
+equilibrium and to that after the first move.
+"""
+import argparse
+import http.client
+import json
+import re
+import signal
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+FLUME = ("83-112-flume-3.0kn.toml", ("tow.speed", "ropes.headrope.length", "ropes.lower-bridle.length", "elements.netting.drag.shielding"))
+AT_SEA = ("gov-like-67m.toml", ("ship.speed", "ship.warp.length"))
+
+
+class Design:
+    """A program that serves a scene."""
+
+    def __init__(self, program, scene, threads, folder):
+        self.began = time.perf_counter()
+        self.process = subprocess.Popen([program, "serve", scene, "--json", "--threads", str(threads)], cwd=folder, stdout=subprocess.PIPE,
+                                        stderr=subprocess.DEVNULL, text=True)
+        host, self.token = re.fullmatch(r"http://(.*?)/(\w+)/", json.loads(self.process.stdout.readline())["address"]).groups()
+        self.connection = http.client.HTTPConnection(host, timeout=600)
+
+    def ask(self, name, **body):
+        """The answer, and the time that it took [ms]."""
+        begin = time.perf_counter()
+        self.connection.request("POST", f"/{self.token}/api/{name}", json.dumps(body), {"Content-Type": "application/json"})
+        answer = json.loads(self.connection.getresponse().read())
+        if "error" in answer:
+            sys.exit(f"{name}: {answer['error']}")
+        return answer, 1e3 * (time.perf_counter() - begin)
+
+    def since_start(self):
+        return 1e3 * (time.perf_counter() - self.began)
+
+    def end(self):
+        self.process.send_signal(signal.SIGINT)
+        self.process.wait(30)
+
+
+def measure(program, scene, paths, nodes, options, folder):
+    """One row: a scene with a number of nodes."""
+    text = Path(folder) / f"{nodes}.toml"
+    text.write_text(f'include = ["{scene}"]\n[gear]\nnodes = {nodes}\n')
+    design = Design(program, text.name, options.threads, folder)
+    design.ask("solve")
+    first = design.since_start()
+    start = {n["path"]: n["value"] for n in design.ask("state")[0]["numbers"]}
+    paths = [path for path in paths if path in start]
+    tangents, times, lost, jumps, moved = [], [], 0, 0, None
+    for i in range(options.steps):
+        path = paths[i % len(paths)]
+        tangents.append(design.ask("jvp", path=path)[1])
+        # up, back, down, back: every answer is a step from an equilibrium
+        to = start[path] * (1 + options.step * (1, 0, -1, 0)[(i // len(paths)) % 4])
+        answer, taken = design.ask("apply", path=path, to=to, wait=True)
+        moved = moved or design.since_start()
+        lost += answer["outcome"]["status"] != "converged"
+        jumps += answer["outcome"]["jump"] is not None
+        times.append(taken)
+    design.end()
+    times.sort()
+    return (statistics.median(tangents), statistics.median(times), times[min(len(times) - 1, int(0.95 * len(times)))], lost, jumps, first, moved)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("netloft")
+    parser.add_argument("library", type=Path)
+    parser.add_argument("--nodes", type=int, nargs="+", default=[500, 2000])
+    parser.add_argument("--steps", type=int, default=40)
+    parser.add_argument("--step", type=float, default=0.05)
+    parser.add_argument("--threads", type=int, default=1)
+    options = parser.parse_args()
+    program = str(Path(options.netloft).resolve())
+    print("| scene | nodes | tangent | equilibrium, median | 95th percentile | none | jumps | command to first equilibrium | to first move |")
+    print("|---|---|---|---|---|---|---|---|---|")
+    with tempfile.TemporaryDirectory() as folder:
+        for name, paths in (FLUME, AT_SEA):
+            for nodes in options.nodes if name == FLUME[0] else options.nodes[:1]:
+                scene = (options.library / "scenes" / name).resolve()
+                row = measure(program, scene, paths, nodes, options, folder)
+                print(f"| `{name}` | {nodes} | " + " | ".join(f"{v:.0f}" for v in row) + " |", flush=True)
+
+
+if __name__ == "__main__":
+    main()

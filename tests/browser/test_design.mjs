@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import assert from 'node:assert/strict';
+import {spawn} from 'node:child_process';
+import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+import {createInterface} from 'node:readline';
+import {after, before, test} from 'node:test';
+import {canvasPixels, drawn, launch, luminances, variance} from './browser.mjs';
+
+const AXE = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
+const SCENE = join(process.env.NETLOFT_SOURCE_DIR, 'gear-library/scenes/83-112-flume-3.0kn.toml');
+const OWN = `# my trawl\ninclude = ["${SCENE}"]\n[gear]\nnodes = 200\n[tow]\nspeed = "3 kn"   # over the ground\n`;
+
+const folder = mkdtempSync(join(tmpdir(), 'netloft-design-test-')), running = [];
+let browser, flat;
+
+/** A design in a folder of its own, and the address that it prints. */
+async function serve(text = OWN) {
+  const cwd = mkdtempSync(join(folder, 'design-'));
+  writeFileSync(join(cwd, 'own.toml'), text);
+  const process_ = spawn(process.env.NETLOFT_PROGRAM, ['design', 'own.toml', '--json'], {cwd, stdio: ['ignore', 'pipe', 'ignore']});
+  running.push(process_);
+  const line = await new Promise((done) => createInterface({input: process_.stdout}).once('line', done));
+  return {address: JSON.parse(line).address, file: join(cwd, 'own.toml'), process: process_};
+}
+
+/** Opens the page of a design; `seen` keeps errors, and requests to anything but the program. */
+async function open(context, address, {width = 1400, height = 900, scheme = 'light'} = {}) {
+  const page = await context.newPage(), seen = {errors: [], requests: []};
+  await page.setViewportSize({width, height});
+  await page.emulateMedia({colorScheme: scheme});
+  page.on('console', (message) => { if (message.type() === 'error') seen.errors.push(message.text()); });
+  page.on('pageerror', (error) => seen.errors.push(error.message));
+  page.on('request', (request) => { if (!request.url().startsWith(address) && !/^(data|blob):/.test(request.url())) seen.requests.push(request.url()); });
+  await page.goto(address);
+  await page.waitForFunction(() => document.documentElement.dataset.ready, null, {timeout: 60000});
+  return {page, seen};
+}
+
+const sliderOf = (page, path) => page.locator(`.one-number[data-path="${path}"] input[type=range]`);
+
+async function openTable(page, table) {
+  await page.evaluate((name) => { document.querySelector(`details[data-table="${name}"]`).open = true; }, table);
+}
+
+/** Waits until the equilibrium of a text with this revision, or a newer one, is shown. */
+async function solved(page, revision) {
+  await page.waitForFunction((r) => Number(document.documentElement.dataset.revision) >= r && document.getElementById('said').textContent.startsWith('equilibrium'), revision, {timeout: 30000});
+}
+
+const height = (page) => page.evaluate(() => window.netloftDesigner.shape.figures.find((f) => f.name === 'mouth/headline_height').value);
+const pointsShown = (page) => page.evaluate(() => Array.from(window.netloftViewer.model.points));
+const revision = (page) => page.evaluate(() => window.netloftDesigner.revision);
+
+before(async () => { [browser, flat] = [await launch(), await launch({webgl: false})]; });
+after(async () => {
+  for (const one of running) one.kill('SIGINT');
+  await Promise.all([browser.close(), flat.close()]);
+  rmSync(folder, {recursive: true, force: true});
+});
+
+test('a slider moves, its ghost follows at once and the equilibrium after it', async () => {
+  const {address, file} = await serve(), {page, seen} = await open(browser.context, address);
+  const light = luminances(await canvasPixels(page));
+  assert.ok(variance(light) > 60, `variance ${variance(light)}`);
+  const [h, points, first] = [await height(page), await pointsShown(page), await revision(page)];
+  await openTable(page, 'tow');
+  const slider = sliderOf(page, 'tow.speed');
+  await slider.focus();
+  await page.waitForFunction(() => window.netloftDesigner.shape.tangents.size > 0);
+  await page.evaluate(() => Promise.all(window.netloftDesigner.shape.tangents.values()));
+  for (let i = 0; i < 10; ++i) await page.keyboard.press('ArrowRight');
+  await page.waitForFunction(() => window.netloftDesigner.shape.timesOfGhosts.length > 0);
+  const ghost = await pointsShown(page);
+  assert.ok(ghost.some((v, i) => Math.abs(v - points[i]) > 1e-4), 'the ghost moves the nodes');
+  await page.waitForFunction((r) => Number(document.documentElement.dataset.revision) > r, first, {timeout: 30000});
+  await solved(page, first + 1);
+  assert.ok(await height(page) < h, 'a faster tow lowers the headline');
+  const moved = await pointsShown(page);
+  const off = Math.max(...moved.map((v, i) => Math.abs(v - ghost[i]))), went = Math.max(...moved.map((v, i) => Math.abs(v - points[i])));
+  assert.ok(off < went, `the equilibrium is ${off} m from the ghost and went ${went} m`);
+  assert.equal(await page.evaluate(() => document.getElementById('undo').disabled), false);
+  assert.equal(readFileSync(file, 'utf8'), OWN, 'nothing is written before it is saved');
+  await page.click('#save-text');
+  await page.waitForFunction(() => document.getElementById('saved').textContent === 'saved');
+  assert.match(readFileSync(file, 'utf8'), /^speed = "3\.\d+ kn" {3}# over the ground$/m);
+  await page.evaluate(() => document.activeElement.blur());
+  while (!await page.evaluate(() => document.getElementById('undo').disabled)) {
+    await page.click('#undo');
+    await page.waitForTimeout(50);
+  }
+  await page.click('#save-text');
+  await page.waitForFunction(() => document.getElementById('said').textContent.startsWith('written'));
+  assert.equal(readFileSync(file, 'utf8'), OWN);
+  assert.deepEqual(seen, {errors: [], requests: []});
+});
+
+test('an error in the text is marked at its line, and the last shape stays', async () => {
+  const {address} = await serve(), {page, seen} = await open(browser.context, address);
+  const points = await pointsShown(page);
+  await page.click('#tab-text');
+  await page.fill('#text', OWN.replace('"3 kn"', '3 kn'));
+  await page.waitForSelector('#text-errors li');
+  assert.match(await page.textContent('#text-errors'), /own\.toml:6:/);
+  assert.match(await page.textContent('#lines .wrong'), /6/);
+  assert.deepEqual(await pointsShown(page), points);
+  const before = await revision(page);
+  await page.fill('#text', OWN.replace('3 kn', '3.3 kn'));
+  await page.waitForFunction((r) => Number(document.documentElement.dataset.revision) > r, before, {timeout: 30000});
+  assert.equal(await page.locator('#text-errors li').count(), 0);
+  assert.equal(await page.evaluate(() => window.netloftDesigner.numbers.value('tow.speed')), 3.3);
+  await page.fill('#text', OWN.replace('3 kn', '3 kg'));
+  await page.waitForSelector('#notice:not([hidden])');
+  assert.match(await page.textContent('#notice-text'), /tow\.speed/);
+  await page.click('#go-back');
+  await page.waitForFunction(() => document.getElementById('notice').hidden);
+  assert.deepEqual(seen, {errors: [], requests: []});
+});
+
+test('a click on a part opens its numbers', async () => {
+  const {address} = await serve(), {page} = await open(browser.context, address);
+  await page.evaluate(() => { const {viewer} = window.netloftDesigner.shape; viewer.selection.take('rope', viewer.result.barPart.indexOf(viewer.result.parts.findIndex((p) => p.name === 'headrope'))); });
+  assert.equal(await page.inputValue('#filter'), 'headrope');
+  assert.ok(await sliderOf(page, 'ropes.headrope.length').isVisible());
+  await page.evaluate(() => [...document.querySelectorAll('#pane-plan text')].find((t) => t.textContent === 'top-body').dispatchEvent(new MouseEvent('click', {bubbles: true, clientX: 0, clientY: 0})));
+  assert.notEqual(await page.inputValue('#filter'), 'headrope');
+});
+
+test('questions are answered', async () => {
+  const {address} = await serve(), {page, seen} = await open(browser.context, address);
+  await page.selectOption('#figure', 'mouth/headline_height');
+  await page.click('#ask-influences');
+  await page.waitForSelector('#answer table button', {timeout: 30000});
+  await page.selectOption('#moved', 'tow.speed');
+  await page.click('#ask-sweep');
+  await page.waitForSelector('#curve-of-sweep canvas', {timeout: 30000});
+  await page.fill('#target', '2');
+  await page.click('#ask-reach');
+  await page.waitForFunction(() => /it is set/.test(document.getElementById('answer').textContent), null, {timeout: 30000});
+  await page.waitForFunction(() => Math.abs(window.netloftDesigner.shape.figures.find((f) => f.name === 'mouth/headline_height').value - 2) < 1e-3, null, {timeout: 30000});
+  assert.deepEqual(seen, {errors: [], requests: []});
+});
+
+test('without WebGL the plan, the numbers and the report still work', async () => {
+  const {address} = await serve(), {page} = await open(flat.context, address);
+  assert.ok(await page.isHidden('#app'));
+  assert.ok(await page.isVisible('#pane-plan svg'));
+  const h = await height(page), first = await revision(page);
+  await openTable(page, 'tow');
+  await sliderOf(page, 'tow.speed').focus();
+  await page.keyboard.press('ArrowRight');
+  await solved(page, first + 1);
+  assert.ok(await height(page) < h);
+  assert.ok(await page.locator('#report tbody tr').count() > 20);
+});
+
+test('a narrow window and a dark one keep everything in reach', async () => {
+  const {address} = await serve(), {page} = await open(browser.context, address, {width: 420, height: 800, scheme: 'dark'});
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth + 1), 'nothing is cut off at the side');
+  for (const id of ['pane-plan', 'stage', 'number-list', 'report']) assert.ok(await page.isVisible(`#${id}`), id);
+});
+
+test('axe finds no violation of WCAG 2 A or AA, in light and dark', async () => {
+  const {address} = await serve();
+  for (const scheme of ['light', 'dark']) {
+    const {page} = await open(browser.context, address, {scheme});
+    await openTable(page, 'tow');
+    await drawn(page);
+    await page.evaluate(readFileSync(AXE, 'utf8'));
+    const {violations} = await page.evaluate(() => window.axe.run(document, {runOnly: ['wcag2a', 'wcag2aa']}));
+    assert.deepEqual(violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.html).slice(0, 3).join(' ')}`), [], scheme);
+    await page.close();
+  }
+});
+
+test('the program ends some seconds after its page', async () => {
+  const {address, process: program} = await serve(), {page} = await open(browser.context, address);
+  const ended = new Promise((done) => program.once('exit', done));
+  await page.close();
+  assert.equal(await Promise.race([ended, new Promise((done) => setTimeout(() => done('still there'), 20000))]), 0);
+});
