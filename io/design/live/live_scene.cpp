@@ -19,6 +19,10 @@ namespace netloft::design {
 
 namespace {
 
+// Limit of iterations to a neighbour. Steps of 5 % of the 83-112 take up to 10; where there is no
+// equilibrium, a step that gives up early is cheap, and questions halve it.
+constexpr int kIterationsOfNeighbour = 25;
+
 Outcome::Status status_of(const Solution& solution) {
   switch (solution.status) {
     case SolveStatus::converged:
@@ -239,19 +243,29 @@ std::string LiveScene::plan_drawing() {
 }
 
 std::unique_ptr<Equilibrium> LiveScene::neighbour(const Equilibrium& from, const studies::SceneNumber& number,
-                                                  double value, const std::atomic<bool>& interrupt) {
+                                                  double value, const std::atomic<bool>& interrupt,
+                                                  std::string& why_not) {
   Outcome outcome;
   runs::CaseSource source = from.scene->source();
   formats::append(source.changes, number.to(value));
   auto next = std::make_unique<Equilibrium>();
   next->scene = prepare(source, outcome);
-  if (!next->scene) return nullptr;
+  if (!next->scene) {
+    why_not = outcome.sentence;
+    for (const formats::Diagnostic& said : outcome.diagnostics.messages())
+      if (said.severity == formats::Severity::error && why_not.empty()) why_not = said.message;
+    return nullptr;
+  }
   const auto u = runs::have_same_topology(*from.scene, *next->scene)
                      ? next->scene->assembler().displacements_to(from.solution.x)
                      : carried_from(from, *next->scene);
-  next->solution = runs::find_equilibrium_near(*next->scene, u, {.interrupt = &interrupt});
+  next->solution =
+      runs::continue_equilibrium(*next->scene, u, kIterationsOfNeighbour, {.interrupt = &interrupt});
   if (next->solution.status == SolveStatus::interrupted) throw formats::Interrupted{};
-  if (next->solution.status != SolveStatus::converged) return nullptr;
+  if (next->solution.status != SolveStatus::converged) {
+    why_not = std::string(netloft::name_of(next->solution.status)) + ": " + next->solution.reason;
+    return nullptr;
+  }
   next->points = next->scene->assembler().node_positions(next->solution.x);
   next->result = results::make_result(next->scene->loaded(), next->scene->assembler(), next->solution);
   return next;

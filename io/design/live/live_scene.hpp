@@ -73,9 +73,11 @@ class LiveScene {
   formats::Diagnostics check();
   /// The plan of the last text as SVG; empty without a plan, or if it has errors.
   std::string plan_drawing();
-  /// Equilibria at other values of a number, continued from the last one: none where the search fails.
+  /// The equilibrium at another value of a number, continued from a given one, without a search elsewhere. If
+  /// there is none, the result is nullptr, and `why_not` a sentence. Throws formats::Interrupted.
   std::unique_ptr<Equilibrium> neighbour(const Equilibrium& from, const studies::SceneNumber& number,
-                                         double value, const std::atomic<bool>& interrupt);
+                                         double value, const std::atomic<bool>& interrupt,
+                                         std::string& why_not);
   /// Units, ranges and sentences of the numbers that were read so far, by their paths.
   const std::map<std::string, formats::NumberWords>& words() const { return words_; }
   /// A number of the scene of the last equilibrium. Throws Refused.

@@ -11,7 +11,7 @@ class Designer {
     this.times = [];  // of equilibria, from the move to the shape [ms]
     this.numbers = new NumberList($('number-list'), (...move) => this.moved(...move), (path) => this.shape.prepare(path));
     this.text = new TextPane(this.server, (file, text) => this.apply({file, text, goes_on: true}));
-    this.questions = new Questions(this.server, (path, to) => this.apply({path, to}), (path) => { $('filter').value = path; this.numbers.filter(path); });
+    this.questions = new Questions(this.server, (path, to) => this.apply({path, to}), (path) => { $('filter').value = path; this.numbers.filter(path); this.questions.choose(path); });
     this.shape.onPart = (part) => { this.numbers.open(part); this.text.scrollTo(part); };
     this.connectButtons();
     this.connectPlan();
@@ -64,6 +64,7 @@ class Designer {
   /** A slider moves: the ghost at once, the equilibrium when it rests. */
   moved(path, value, isMoving) {
     this.moving = {path, value, at: performance.now()};
+    if (!isMoving) this.questions.choose(path);
     this.shape.ghost(path, value).then((figures) => { if (figures && this.moving && this.moving.value === value) showKeyFigures(figures, true); });
     clearTimeout(this.rest);
     const goesOn = this.gesture === path;

@@ -15,6 +15,7 @@ class Questions {
     ask('ask-influences', () => this.influences());
     ask('ask-sweep', () => this.sweep());
     ask('ask-reach', () => this.reach());
+    ask('ask-range', () => this.range());
     $('moved').addEventListener('change', () => this.suggest());
   }
 
@@ -24,6 +25,13 @@ class Questions {
     this.fill($('figure'), [...figures].sort((a, b) => b.key - a.key).map((f) => [f.name, words(f.name)]));
     this.fill($('moved'), numbers.map((n) => [n.path, n.path]));
     if ($('from').value === '') this.suggest();
+  }
+
+  /** The number that was moved last is the one that is asked about. */
+  choose(path) {
+    if (![...$('moved').options].some((option) => option.value === path)) return;
+    $('moved').value = path;
+    this.suggest();
   }
 
   fill(select, pairs) {
@@ -69,6 +77,11 @@ class Questions {
       axes: [{...axis, label: `${path}${found.unit ? ` [${found.unit}]` : ''}`, values: (_, v) => v.map((x) => formatNumber(x, 3))},
         {...axis, size: 62, label: `${words(figure.name)} ${unitText(figure.unit) ? `[${unitText(figure.unit)}]` : ''}`, values: (_, v) => v.map((x) => formatNumber(x, 3))}],
       series: [{}, {stroke: styleColour('--curve'), width: 2, points: {show: true, size: 6}}]}, [found.values, y], box);
+  }
+
+  async range() {
+    const path = $('moved').value, {unit, down, up} = await this.server.ask('range', {path});
+    $('answer').replaceChildren(...[['down to', down], ['up to', up]].map(([text, end]) => element('p', {}, `${path} ${text} ${formatNumber(end.value)} ${unit}: ${end.why}.`)));
   }
 
   async reach() {

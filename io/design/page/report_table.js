@@ -24,7 +24,7 @@ function showReport(figures) {
     const row = element('tr', {}), by = Number.isFinite(f.value) && Number.isFinite(f.start) ? f.value - f.start : NaN;
     const share = Math.abs(f.start) > 0 ? 100 * by / Math.abs(f.start) : NaN;
     row.append(element('th', {scope: 'row', title: f.doc}, words(f.name)));
-    for (const text of [withUnit(f.value ?? NaN, f.unit), f.error === null ? '' : `± ${withUnit(f.error, f.unit)}`, withUnit(f.start ?? NaN, f.unit),
+    for (const text of [withUnit(f.value ?? NaN, f.unit), f.error === null ? '' : `± ${formatNumber(f.error, 2)} ${unitText(f.unit)}`, withUnit(f.start ?? NaN, f.unit),
       by ? withUnit(by, f.unit) : '', by && Number.isFinite(share) ? formatNumber(share, 3) : '']) row.append(element('td', {class: 'number'}, text));
     return row;
   }));

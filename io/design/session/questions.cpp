@@ -14,11 +14,13 @@ namespace netloft::design {
 
 namespace {
 
-constexpr int kMostPoints = 201;      // of a sweep
-constexpr int kMostSteps = 25;        // towards a target
-constexpr double kOnTarget = 1e-6;    // of the target, or of the figure's first value if the target is zero
-constexpr double kLongestStep = 0.5;  // largest change of the number in one step, over its size
-constexpr int kHalvings = 6;          // of a step that ends at no equilibrium
+constexpr int kMostPoints = 201;       // of a sweep
+constexpr int kMostSteps = 25;         // towards a target
+constexpr double kOnTarget = 1e-6;     // of the target, or of the figure's first value if the target is zero
+constexpr double kLongestStep = 0.5;   // largest change of the number in one step, over its size
+constexpr double kStepOfLimit = 0.05;  // first step towards a limit, over the size of the number
+constexpr int kMostStepsOfLimit = 40;  // so that a limit beyond three times the number is not looked for
+constexpr int kHalvings = 6;           // of a step that ends at no equilibrium
 
 const Equilibrium& need_last(const LiveScene& scene) {
   if (!scene.last()) throw Refused("there is no equilibrium yet");
@@ -56,7 +58,8 @@ void sweep_side(LiveScene& scene, const studies::SceneNumber& number, const std:
   std::unique_ptr<Equilibrium> before;
   for (const std::size_t i : indices) {
     const Equilibrium& from = before ? *before : need_last(scene);
-    auto next = scene.neighbour(from, number, values[i], interrupt);
+    std::string why_not;
+    auto next = scene.neighbour(from, number, values[i], interrupt, why_not);
     on_point(i, next.get());
     if (next) before = std::move(next);
   }
@@ -175,7 +178,8 @@ class TargetSearch {
   /// Moves the number; by less if there is no equilibrium so far away.
   bool go(double step) {
     for (int halving = 0; halving < kHalvings; ++halving, step /= 2) {
-      auto next = scene_.neighbour(*at_, number_, value_ + step, interrupt_);
+      std::string why_not;
+      auto next = scene_.neighbour(*at_, number_, value_ + step, interrupt_, why_not);
       if (!next) continue;
       kept_ = std::move(next);
       at_ = kept_.get();
@@ -207,6 +211,70 @@ Json reach_json(LiveScene& scene, const ReachQuestion& question, const std::atom
   const formats::InterruptibleWork work(interrupt);
   figure_called(need_last(scene), question.figure);
   return TargetSearch(scene, question, interrupt).find();
+}
+
+namespace {
+
+/// The search for the values of a number up to which a design is good.
+class LimitSearch {
+ public:
+  LimitSearch(LiveScene& scene, const RangeQuestion& question, const std::atomic<bool>& interrupt)
+      : scene_(scene), question_(question), interrupt_(interrupt), number_(scene.number(question.path)) {}
+
+  /// Goes from the present value in one direction, by steps that are halved at the end.
+  Json limit(double direction) {
+    const Equilibrium* at = &need_last(scene_);
+    std::unique_ptr<Equilibrium> kept;
+    double value = number_.value, step = direction * kStepOfLimit * (value != 0 ? std::abs(value) : 1);
+    std::string why;
+    int halvings = 0;
+    for (int steps = 0; steps < kMostStepsOfLimit && halvings <= kHalvings; ++steps) {
+      std::string why_not;
+      auto next = scene_.neighbour(*at, number_, value + step, interrupt_, why_not);
+      if (next) why_not = fault_of(*next);
+      if (!why_not.empty()) {
+        why = why_not;
+        step /= 2;
+        ++halvings;
+        continue;
+      }
+      kept = std::move(next);
+      at = kept.get();
+      value += step;
+      if (halvings) step /= 2, ++halvings;
+    }
+    return {{"value", value}, {"why", why.empty() ? "nothing ends it so far" : why}};
+  }
+
+  const studies::SceneNumber& number() const { return number_; }
+
+ private:
+  /// The part that bears more than its breaking load, or the bound of the question that is crossed.
+  std::string fault_of(const Equilibrium& at) const {
+    for (const results::Material& material : at.result.materials)
+      if (material.utilisation() > 1) return material.item.name + " bears more than its breaking load";
+    const double figure = question_.figure.empty() ? 0 : value_of(at, question_.figure);
+    if (figure < question_.least)
+      return question_.figure + " falls below " + formats::format(question_.least);
+    if (figure > question_.largest)
+      return question_.figure + " exceeds " + formats::format(question_.largest);
+    return "";
+  }
+
+  LiveScene& scene_;
+  const RangeQuestion& question_;
+  const std::atomic<bool>& interrupt_;
+  studies::SceneNumber number_;
+};
+
+}  // namespace
+
+Json range_json(LiveScene& scene, const RangeQuestion& question, const std::atomic<bool>& interrupt) {
+  const formats::InterruptibleWork work(interrupt);
+  if (!question.figure.empty()) figure_called(need_last(scene), question.figure);
+  LimitSearch search(scene, question, interrupt);
+  const Json down = search.limit(-1), up = search.limit(1);
+  return {{"path", search.number().path}, {"unit", search.number().unit}, {"down", down}, {"up", up}};
 }
 
 }  // namespace netloft::design

@@ -2,6 +2,7 @@
 #pragma once
 #include "io/design/session/replies.hpp"
 
+#include <cmath>
 #include <functional>
 
 namespace netloft::design {
@@ -39,5 +40,15 @@ struct ReachQuestion {
 /// then by the secant of the last two equilibria. Throws Refused with the nearest value found if there is
 /// none, and formats::Interrupted.
 Json reach_json(LiveScene& scene, const ReachQuestion& question, const std::atomic<bool>& interrupt);
+
+struct RangeQuestion {
+  std::string path;                              // number that changes
+  std::string figure;                            // figure that has to stay within bounds; empty: none
+  double least = -INFINITY, largest = INFINITY;  // in the unit of the figure
+};
+/// How far the number may go down and up until there is no equilibrium, the scene is wrong, a part bears more
+/// than its breaking load, or the figure leaves its bounds; with the reason. Throws Refused and
+/// formats::Interrupted.
+Json range_json(LiveScene& scene, const RangeQuestion& question, const std::atomic<bool>& interrupt);
 
 }  // namespace netloft::design

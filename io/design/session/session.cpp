@@ -54,7 +54,7 @@ const std::map<std::string, Session::Request>& Session::requests() {
       {"redo", &Session::redo},   {"save", &Session::save},     {"check", &Session::check},
       {"solve", &Session::solve}, {"jvp", &Session::tangent},   {"picture", &Session::picture},
       {"plan", &Session::plan},   {"report", &Session::report}, {"influences", &Session::influences},
-      {"sweep", &Session::sweep}, {"reach", &Session::reach}};
+      {"sweep", &Session::sweep}, {"reach", &Session::reach},   {"range", &Session::range}};
   return all;
 }
 
@@ -249,6 +249,14 @@ Json Session::sweep(const Json& body) {
 Json Session::reach(const Json& body) {
   const ReachQuestion question{text_in(body, "figure"), number_in(body, "target"), text_in(body, "path")};
   return on_worker([this, question] { return reach_json(scene_, question, interrupt_); });
+}
+
+Json Session::range(const Json& body) {
+  RangeQuestion question{text_in(body, "path"), {}};
+  if (body.contains("figure")) question.figure = text_in(body, "figure");
+  if (body.contains("least")) question.least = number_in(body, "least");
+  if (body.contains("largest")) question.largest = number_in(body, "largest");
+  return on_worker([this, question] { return range_json(scene_, question, interrupt_); });
 }
 
 // ---- the worker

@@ -68,6 +68,7 @@ class Session {
   Json influences(const Json& body);
   Json sweep(const Json& body);
   Json reach(const Json& body);
+  Json range(const Json& body);
 
   /// A change of the text since the last equilibrium: of one number, or of anything.
   struct Step {

@@ -130,6 +130,21 @@ TEST(DesignSession, RanksTheNumbersThatMoveAFigure) {
               std::abs(found["ranked"][i]["per_percent"].get<double>()));
 }
 
+TEST(DesignSession, GoesAsFarAsAFigureStaysWithinItsBound) {
+  Trawl trawl;
+  const Json found =
+      trawl.ask("range", {{"path", "tow.speed"}, {"figure", "mouth/headline_height"}, {"least", 2.0}});
+  EXPECT_NE(found["up"]["why"].get<std::string>().find("falls below 2"), std::string::npos);
+  const Json there =
+      trawl.ask("apply", {{"path", "tow.speed"}, {"to", found["up"]["value"]}, {"wait", true}});
+  for (const Json& figure : there["outcome"]["figures"])
+    if (figure["name"] == "mouth/headline_height") {
+      EXPECT_GE(figure["value"], 2.0 - 1e-6);
+      EXPECT_LT(figure["value"], 2.01);
+    }
+  EXPECT_LT(found["down"]["value"], 3.0);
+}
+
 TEST(DesignSession, EndsWhileSomebodyWaits) {
   auto trawl = std::make_unique<Trawl>();
   trawl->session.end();
