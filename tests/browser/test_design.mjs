@@ -91,8 +91,9 @@ test('a slider moves, its ghost follows at once and the equilibrium after it', a
     await page.click('#undo');
     await page.waitForTimeout(50);
   }
+  await page.waitForFunction(() => document.getElementById('saved').textContent === 'not saved');
   await page.click('#save-text');
-  await page.waitForFunction(() => document.getElementById('said').textContent.startsWith('written'));
+  await page.waitForFunction(() => document.getElementById('saved').textContent === 'saved');
   assert.equal(readFileSync(file, 'utf8'), OWN);
   assert.deepEqual(seen, {errors: [], requests: []});
 });

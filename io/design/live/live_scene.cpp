@@ -21,7 +21,7 @@ namespace {
 
 // Limit of iterations to a neighbour. Steps of 5 % of the 83-112 take up to 10; where there is no
 // equilibrium, a step that gives up early is cheap, and questions halve it.
-constexpr int kIterationsOfNeighbour = 25;
+constexpr int kIterationsOfNeighbour = 60;
 
 Outcome::Status status_of(const Solution& solution) {
   switch (solution.status) {
@@ -68,17 +68,24 @@ LiveScene::LiveScene(const std::filesystem::path& file, Registry& registry, int 
     : registry_(registry), source_(file, {}, threads) {}
 
 Outcome LiveScene::follow(const std::filesystem::path& file, const formats::StoredTexts& texts,
-                          const std::optional<MovedNumber>& moved, const std::atomic<bool>& interrupt) {
+                          const std::optional<MovedNumber>& moved, const std::atomic<bool>& interrupt,
+                          Mesh mesh) {
   Outcome outcome;
   source_.scene = source_.scene.with_texts(file, texts);
   const formats::InterruptibleWork reading(interrupt);
   formats::CollectedWords collected;
   try {
-    const auto scene = prepare(source_, outcome);
+    auto scene = prepare(source_, outcome);
     collected.by_path.merge(words_);
     words_ = std::move(collected.by_path);
     if (!scene) return outcome;
     outcome.has_same_mesh = last_ && runs::have_same_topology(*last_->scene, *scene);
+    if (mesh == Mesh::kept && moved && last_ && !outcome.has_same_mesh)
+      if (auto kept = on_last_mesh()) {
+        scene = std::move(kept);
+        outcome.has_same_mesh = true;
+        outcome.has_own_mesh = false;
+      }
     const std::vector<double> expected = expected_place(*scene, moved, outcome.has_same_mesh);
     const runs::Watch watch{.interrupt = &interrupt};
     auto next = std::make_unique<Equilibrium>();
@@ -124,6 +131,13 @@ std::shared_ptr<runs::PreparedScene> LiveScene::prepare(const runs::CaseSource& 
   else
     return scene;
   return nullptr;
+}
+
+/// The scene of the last text on the mesh of the last equilibrium; nullptr if it cannot have it.
+std::shared_ptr<runs::PreparedScene> LiveScene::on_last_mesh() const {
+  auto scene = std::make_shared<runs::PreparedScene>(source_, registry_, last_->scene->factorisations());
+  const bool is_ready = scene->prepare_like(*last_->scene) == runs::PreparedScene::State::ready;
+  return is_ready && runs::have_same_topology(*last_->scene, *scene) ? scene : nullptr;
 }
 
 /// Displacements at which the equilibrium of the scene is expected; empty if nothing is known of it.

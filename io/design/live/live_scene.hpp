@@ -40,6 +40,7 @@ struct Outcome {
   formats::Diagnostics diagnostics = {};  // messages about the text
   std::string sentence = {}, at_fault = {};
   bool has_same_mesh = false;            // nodes are those of the last equilibrium
+  bool has_own_mesh = true;              // the mesh is that of the text, and was not taken over
   std::optional<double> ghost_off = {};  // distance between tangent and equilibrium, as in Jump [m]
   std::optional<Jump> jump = {};
   double reading_seconds = 0, solving_seconds = 0;
@@ -52,10 +53,16 @@ class LiveScene {
  public:
   LiveScene(const std::filesystem::path& file, Registry& registry, int threads);
 
+  /// The mesh on which the equilibrium of a text is found. `own`: the one that any run of this text has.
+  /// `kept`: that of the last equilibrium where only one number has moved, because a net plan with other
+  /// numbers is divided anew, and a search on other nodes takes several times as long.
+  enum class Mesh { own, kept };
+
   /// Reads the scene with these texts of its files, and finds its equilibrium. `moved`: the only difference
   /// to the last text. When `interrupt` is set, the search ends with Status::interrupted.
   Outcome follow(const std::filesystem::path& file, const formats::StoredTexts& texts,
-                 const std::optional<MovedNumber>& moved, const std::atomic<bool>& interrupt);
+                 const std::optional<MovedNumber>& moved, const std::atomic<bool>& interrupt,
+                 Mesh mesh = Mesh::own);
 
   /// The last equilibrium, and the first one, with which others are compared; nullptr: none yet.
   const Equilibrium* last() const { return last_.get(); }
@@ -85,6 +92,7 @@ class LiveScene {
 
  private:
   std::shared_ptr<runs::PreparedScene> prepare(const runs::CaseSource& source, Outcome& outcome) const;
+  std::shared_ptr<runs::PreparedScene> on_last_mesh() const;
   std::vector<double> expected_place(const runs::PreparedScene& scene,
                                      const std::optional<MovedNumber>& moved, bool has_same_mesh);
   void compare(const Equilibrium& next, const std::vector<double>& expected, Outcome& outcome);

@@ -178,8 +178,7 @@ class TargetSearch {
   /// Moves the number; by less if there is no equilibrium so far away.
   bool go(double step) {
     for (int halving = 0; halving < kHalvings; ++halving, step /= 2) {
-      std::string why_not;
-      auto next = scene_.neighbour(*at_, number_, value_ + step, interrupt_, why_not);
+      auto next = scene_.neighbour(*at_, number_, value_ + step, interrupt_, why_not_);
       if (!next) continue;
       kept_ = std::move(next);
       at_ = kept_.get();
@@ -193,7 +192,8 @@ class TargetSearch {
   std::string nearest_so_far() const {
     return question_.figure + " does not reach " + formats::format(question_.target) + " with " +
            number_.path + " alone; it is " + formats::format(figure_) + " at " + formats::format(value_) +
-           (number_.unit.empty() ? "" : " " + number_.unit);
+           (number_.unit.empty() ? "" : " " + number_.unit) +
+           (why_not_.empty() ? "" : "; beyond, " + why_not_);
   }
 
   LiveScene& scene_;
@@ -203,6 +203,7 @@ class TargetSearch {
   const Equilibrium* at_;
   std::unique_ptr<Equilibrium> kept_;
   double value_, figure_, scale_;
+  std::string why_not_;  // why the last step that was tried has no equilibrium
 };
 
 }  // namespace

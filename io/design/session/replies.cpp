@@ -112,6 +112,7 @@ Json outcome_json(const Outcome& outcome, const LiveScene& scene) {
                {"at_fault", outcome.at_fault},
                {"messages", messages_json(outcome.diagnostics)},
                {"same_mesh", outcome.has_same_mesh},
+               {"own_mesh", outcome.has_own_mesh},
                {"ghost_off", outcome.ghost_off ? Json(*outcome.ghost_off) : Json(nullptr)},
                {"jump", nullptr},
                {"seconds", {{"reading", outcome.reading_seconds}, {"solving", outcome.solving_seconds}}}};

@@ -300,37 +300,52 @@ bool Session::take_job(std::unique_lock<std::mutex>& lock) {
   return true;
 }
 
-/// Follows the newest text. What throws here is an error of ours or of the machine: it is said, and the
-/// session goes on.
+/// Follows the newest text: on the mesh that is there, so that the shape is seen soon, and then on the mesh
+/// of the text, whose equilibrium is that of any run.
 void Session::follow_text(std::unique_lock<std::mutex>& lock) {
-  const std::uint64_t revision = revision_;
-  const auto texts = texts_.own();
-  const auto file = texts_.file();
-  const auto moved = only_move();
+  const Snapshot text{revision_, texts_.file(), texts_.own(), only_move()};
   interrupt_ = false;
   lock.unlock();
-  announce("solving", {{"revision", revision}});
+  announce("solving", {{"revision", text.revision}});
   Outcome outcome;
-  Json json;
-  try {
-    outcome = scene_.follow(file, texts, moved, interrupt_);
-    json = outcome_json(outcome, scene_);
-  } catch (const std::exception& e) {
-    outcome.status = Outcome::Status::not_converged;
-    outcome.sentence = e.what();
-    json = outcome_json(outcome, scene_);
+  Json json = follow_on(LiveScene::Mesh::kept, text, outcome);
+  if (!outcome.has_own_mesh) {
+    if (outcome.status == Outcome::Status::converged) announce("solved", json);
+    forget_steps(text, outcome);
+    const Json ghost_off = json["ghost_off"], jump = json["jump"];
+    json = follow_on(LiveScene::Mesh::own, text, outcome);
+    json["ghost_off"] = ghost_off, json["jump"] = jump;  // another mesh has no ghost to be compared with
   }
-  json["revision"] = revision;
+  forget_steps(text, outcome);
   lock.lock();
   words_ = scene_.words();
-  if (outcome.status == Outcome::Status::interrupted && revision != revision_) return;
-  if (outcome.status == Outcome::Status::converged)
-    std::erase_if(steps_, [&](const Step& step) { return step.revision <= revision; });
-  followed_ = revision;
+  if (outcome.status == Outcome::Status::interrupted && text.revision != revision_) return;
+  followed_ = text.revision;
   outcome_ = json;
   lock.unlock();
   announce("solved", json);
   lock.lock();
+}
+
+/// The equilibrium of a text is the one from which later changes count.
+void Session::forget_steps(const Snapshot& text, const Outcome& outcome) {
+  if (outcome.status != Outcome::Status::converged) return;
+  const std::lock_guard lock(mutex_);
+  std::erase_if(steps_, [&](const Step& step) { return step.revision <= text.revision; });
+}
+
+/// An exception here is an error of ours or of the machine: it is reported, and the session goes on.
+Json Session::follow_on(LiveScene::Mesh mesh, const Snapshot& text, Outcome& outcome) {
+  try {
+    outcome = scene_.follow(text.file, text.texts, text.moved, interrupt_, mesh);
+  } catch (const std::exception& e) {
+    outcome = {};
+    outcome.status = Outcome::Status::not_converged;
+    outcome.sentence = e.what();
+  }
+  Json json = outcome_json(outcome, scene_);
+  json["revision"] = text.revision;
+  return json;
 }
 
 /// Takes over what other programs wrote into the files. The caller holds the lock.

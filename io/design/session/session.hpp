@@ -75,6 +75,13 @@ class Session {
     std::uint64_t revision;
     std::optional<MovedNumber> moved;
   };
+  /// A text that is followed.
+  struct Snapshot {
+    std::uint64_t revision;
+    std::filesystem::path file;
+    formats::StoredTexts texts;
+    std::optional<MovedNumber> moved;
+  };
   Json text_state() const;
   Edit edit(const Json& body, std::optional<MovedNumber>& moved);
   void note_change(std::optional<MovedNumber> moved);
@@ -84,6 +91,8 @@ class Session {
   void work();
   bool take_job(std::unique_lock<std::mutex>& lock);
   void follow_text(std::unique_lock<std::mutex>& lock);
+  void forget_steps(const Snapshot& text, const Outcome& outcome);
+  Json follow_on(LiveScene::Mesh mesh, const Snapshot& text, Outcome& outcome);
   void look_at_files();
   void announce(const std::string& name, const Json& data);
 

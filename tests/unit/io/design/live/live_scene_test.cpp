@@ -119,6 +119,26 @@ TEST(LiveScene, IsInterruptedAndGoesOn) {
   EXPECT_EQ(trawl.follow().status, Status::converged);
 }
 
+TEST(LiveScene, FollowsALengthOnTheMeshThatIsThereAndThenOnItsOwn) {
+  Followed trawl("83-112-flume-3.0kn.toml", "200");
+  ASSERT_EQ(trawl.follow().status, Status::converged);
+  trawl.texts.set(trawl.live.number("ropes.lower-bridle.length").to(57).front());
+  const MovedNumber moved{"ropes.lower-bridle.length", 57};
+  const auto on = [&](LiveScene::Mesh mesh) {
+    return trawl.live.follow(trawl.texts.file(), trawl.texts.own(), moved, trawl.never, mesh);
+  };
+  const Outcome first = on(LiveScene::Mesh::kept);
+  ASSERT_EQ(first.status, Status::converged);
+  EXPECT_TRUE(first.has_same_mesh);
+  EXPECT_FALSE(first.has_own_mesh);
+  EXPECT_TRUE(first.ghost_off);
+  const double drag = trawl.figure("drag/all/x");
+  const Outcome second = on(LiveScene::Mesh::own);
+  ASSERT_EQ(second.status, Status::converged);
+  EXPECT_TRUE(second.has_own_mesh);
+  EXPECT_NEAR(trawl.figure("drag/all/x"), drag, 0.03 * drag);
+}
+
 TEST(LiveScene, CarriesTheShapeToAnotherMesh) {
   Followed trawl("83-112-flume-3.0kn.toml", "100");
   ASSERT_EQ(trawl.follow().status, Status::converged);
