@@ -34,6 +34,13 @@ Outcome::Status status_of(const Solution& solution) {
   }
 }
 
+void put_verdict(const Solution& solution, Outcome& outcome) {
+  outcome.solving_seconds = solution.cost.statistics.total_seconds;
+  outcome.status = status_of(solution);
+  outcome.sentence = solution.reason;
+  outcome.at_fault = solution.at_fault;
+}
+
 double distance_between(const runs::PreparedScene& scene, const std::vector<double>& a,
                         const std::vector<double>& b) {
   return largest_node_distance(scene.loaded().scene, scene.assembler().numbering(), a, b);
@@ -92,10 +99,7 @@ Outcome LiveScene::follow(const std::filesystem::path& file, const formats::Stor
     next->scene = scene;
     next->solution = expected.empty() ? runs::find_equilibrium(*scene, watch)
                                       : runs::find_equilibrium_near(*scene, expected, watch);
-    outcome.solving_seconds = next->solution.cost.statistics.total_seconds;
-    outcome.status = status_of(next->solution);
-    outcome.sentence = next->solution.reason;
-    outcome.at_fault = next->solution.at_fault;
+    put_verdict(next->solution, outcome);
     if (outcome.status != Outcome::Status::converged) return outcome;
     next->points = scene->assembler().node_positions(next->solution.x);
     if (outcome.has_same_mesh && moved) compare(*next, expected, outcome);
