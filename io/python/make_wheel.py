@@ -28,7 +28,7 @@ Requires-Dist: xarray; extra == "all"
 
 """
 # The sources are BSD-3-Clause; what they are linked to decides on the wheel (solvers/factorisation/README.md).
-LICENCE = "GPL-3.0-or-later (with SuiteSparse and CGAL inside; the sources of Netloft are BSD-3-Clause)"
+LICENCE = "GPL-2.0-or-later (with SuiteSparse inside; the sources of Netloft are BSD-3-Clause)"
 
 
 def libraries_of(module):

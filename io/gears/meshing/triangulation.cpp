@@ -3,13 +3,8 @@
 
 #include "io/formats/units/degrees.hpp"
 #include "io/formats/work/long_work.hpp"
-
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Delaunay_mesh_face_base_2.h>
-#include <CGAL/Delaunay_mesh_size_criteria_2.h>
-#include <CGAL/Delaunay_mesher_no_edge_refinement_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include "io/gears/meshing/delaunay.hpp"
+#include "io/gears/meshing/refinement.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,19 +14,8 @@ namespace netloft::gears {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Vertex = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
-using Faces = CGAL::Delaunay_mesh_face_base_2<Kernel>;
-using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Faces>,
-                                               CGAL::No_constraint_intersection_tag>;
-using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Triangulation>;
-using Mesher = CGAL::Delaunay_mesher_no_edge_refinement_2<Triangulation, Criteria>;
-
-// sin² of the least angle after refinement (20.7°). With this bound, the mesher is proven to terminate.
-constexpr double kShape = 0.125;
-constexpr double kLongest = 1.35;  // longest side of a triangle, relative to the requested mean
-constexpr int kRounds = 5;         // rounds of smoothing
+constexpr double kLongestSide = 1.35;  // longest side of a triangle, relative to the requested mean
+constexpr int kRounds = 5;             // rounds of smoothing
 // Corners of at least this angle are divided between triangles.
 constexpr double kSharp = formats::in_radians(50);
 
@@ -55,15 +39,15 @@ class Filler {
       : border_(border), size_(size), mesh_(std::move(mesh)) {}
 
   PlaneMesh fill() {
-    connect();
-    refine();
-    return finish();
+    Delaunay mesh = connected();
+    refine(mesh, kLongestSide * size_);
+    mesh_.points = mesh.points();
+    return smoothed(std::move(mesh));
   }
 
   /// Connects the points without moving them or adding others.
   PlaneMesh connect_all() {
-    connect();
-    collect();
+    collect(connected());
     open_corners();
     return std::move(mesh_);
   }
@@ -72,84 +56,37 @@ class Filler {
     for (const auto& [a, b] : sides)
       mesh_.points.push_back(
           {(mesh_.points[a][0] + mesh_.points[b][0]) / 2, (mesh_.points[a][1] + mesh_.points[b][1]) / 2});
-    if (smoothing == Smoothing::none) return connect_all();
-    connect();
-    collect();
-    return finish();
+    return smoothing == Smoothing::none ? connect_all() : smoothed(connected());
   }
 
  private:
-  PlaneMesh finish() {
+  PlaneMesh smoothed(Delaunay mesh) {
+    collect(mesh);
     for (int round = 0; round < kRounds; ++round) {
       formats::hear_interruption();
       smooth();
-      connect();
-      collect();
+      for (std::size_t v = border_; v < mesh_.points.size(); ++v)
+        mesh.move(static_cast<std::uint32_t>(v), mesh_.points[v]);
+      mesh.restore();
+      collect(mesh);
     }
     open_corners();
     return std::move(mesh_);
   }
 
-  /// Makes the Delaunay triangulation of all points with the border as constraint.
-  void connect() {
-    cdt_.clear();
-    std::vector<std::pair<Kernel::Point_2, std::uint32_t>> points;
-    for (std::size_t i = 0; i < mesh_.points.size(); ++i)
-      points.emplace_back(Kernel::Point_2(mesh_.points[i][0], mesh_.points[i][1]),
-                          static_cast<std::uint32_t>(i));
-    cdt_.insert(points.begin(), points.end());
-    if (cdt_.number_of_vertices() != points.size())
-      throw std::invalid_argument("two points of the border coincide");
-    std::vector<Triangulation::Vertex_handle> corners(border_);
-    for (const auto v : cdt_.finite_vertex_handles())
-      if (v->info() < border_) corners[v->info()] = v;
-    try {
-      for (std::size_t i = 0; i < border_; ++i)
-        cdt_.insert_constraint(corners[i], corners[(i + 1) % border_]);
-    } catch (const Triangulation::Intersection_of_constraints_exception&) {
-      throw std::invalid_argument("the border crosses itself");
-    }
+  /// The Delaunay triangulation of all points, in which the sides of the border are held.
+  Delaunay connected() const {
+    Delaunay mesh(mesh_.points);
+    for (std::size_t i = 0; i < border_; ++i)
+      mesh.hold(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>((i + 1) % border_));
+    mesh.mark_inside();
+    return mesh;
   }
 
-  void refine() {
-    Mesher mesher(cdt_, Criteria(kShape, kLongest * size_));
-    mesher.clear_seeds();  // sets a flag that CGAL 5.5 reads and sets nowhere else
-    mesher.init();
-    while (mesher.step_by_step_refine_mesh()) formats::hear_interruption();
-    std::uint32_t next = static_cast<std::uint32_t>(border_);
-    for (const auto v : cdt_.finite_vertex_handles()) {
-      const PlanePoint point{v->point().x(), v->point().y()};
-      const bool is_border = v->info() < border_ && mesh_.points[v->info()] == point;
-      if (is_border) continue;
-      v->info() = next++;
-      mesh_.points.push_back(point);
-    }
-    collect();
-  }
-
-  void collect() {
+  void collect(const Delaunay& mesh) {
     mesh_.triangles.clear();
-    mark_inside();
-    for (const auto f : cdt_.finite_face_handles())
-      if (f->is_in_domain())
-        mesh_.triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
-  }
-
-  /// Marks the triangles inside the border, which cannot be reached from outside without crossing it.
-  void mark_inside() {
-    for (const auto f : cdt_.all_face_handles()) f->set_in_domain(true);
-    std::vector<Triangulation::Face_handle> outside{cdt_.infinite_face()};
-    outside[0]->set_in_domain(false);
-    while (!outside.empty()) {
-      const auto f = outside.back();
-      outside.pop_back();
-      for (int k = 0; k < 3; ++k) {
-        const auto next = f->neighbor(k);
-        if (!next->is_in_domain() || f->is_constrained(k)) continue;
-        next->set_in_domain(false);
-        outside.push_back(next);
-      }
-    }
+    for (const Delaunay::Triangle& t : mesh.triangles())
+      if (t.is_inside) mesh_.triangles.push_back(t.corners);
   }
 
   /// Moves inner points to the mean of their neighbours, unless a triangle would turn over.
@@ -220,7 +157,6 @@ class Filler {
   std::size_t border_;
   double size_;
   PlaneMesh mesh_;
-  Triangulation cdt_;
 };
 
 }  // namespace

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/gears/meshing/plane_predicates.hpp"
+
 #include <array>
 #include <cstdint>
 #include <vector>
 
 namespace netloft::gears {
-
-using PlanePoint = std::array<double, 2>;
 
 /// Triangles in the plane. `points`: first those of the border in the given order, then inner points.
 struct PlaneMesh {

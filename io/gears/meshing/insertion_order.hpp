@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "io/gears/meshing/plane_predicates.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace netloft::gears {
+
+/// The numbers of points, which do not all coincide, in their order along Hilbert's curve: successive points
+/// are neighbours.
+std::vector<std::uint32_t> hilbert_order(const std::vector<PlanePoint>& points);
+
+}  // namespace netloft::gears
