@@ -32,7 +32,7 @@ function(netloft_test name)
   else()
     netloft_precompile_programs(${name})
   endif()
-  # CHOLMOD opens OpenMP regions that spin when the cores are taken. Of OpenBLAS's kernels for small matrices those for
+  # Threads of OpenMP spin when the cores are taken. Of OpenBLAS's kernels for small matrices those for
   # Cooperlake allocate at every call; those for Haswell run on every machine with AVX2 and do not. Two properties, because
   # gtest_discover_tests hands on one entry of each.
   set(label googletest)

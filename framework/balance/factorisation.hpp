@@ -47,8 +47,8 @@ class Factorisation {
  public:
   virtual ~Factorisation() = default;
 
-  /// Name of the method and the library, for reports: "CHOLMOD supernodal LLT 3.0.14, METIS on the node
-  /// graph".
+  /// Name of the method, of the library if it is not our own, and of the ordering, for reports:
+  /// "multifrontal LU, METIS on the node graph".
   virtual std::string description() const = 0;
 
   /// Orders and analyses the pattern, which must outlive this object. Throws std::runtime_error on failure.

@@ -9,17 +9,16 @@ namespace netloft {
 
 namespace {
 
-// a, b, c, d of (3) and (4) in work.hpp, measured by tests/bench/work_model.cpp.
-constexpr double kPerEntry = 20, kPerEntryOfCholesky = 250, kPerResidual = 4, kPerMatrix = 12;
+// a, c, d of (3) and (4) in work.hpp, measured by tests/bench/work_model.cpp.
+constexpr double kPerEntry = 20, kPerResidual = 4, kPerMatrix = 12;
 
 struct FactorSize {
   double flops = 0, entries = 0;
 };
 
 FactorSize estimate_factor(const SparsePattern& pattern) {
-  const double nodes = std::max(2.0, pattern.size / 3.0), sides = pattern.symmetric ? 1 : 2;
-  return {sides * 27 * 2 * 829.0 / 84 * std::pow(nodes, 1.5),
-          sides * 9 * 31.0 / 4 * nodes * std::log2(nodes)};
+  const double nodes = std::max(2.0, pattern.size / 3.0);
+  return {2 * 27 * 2 * 829.0 / 84 * std::pow(nodes, 1.5), 2 * 9 * 31.0 / 4 * nodes * std::log2(nodes)};
 }
 
 FactorSize analyse_factor(const SparsePattern& pattern, const MakeFactorisation& make) {
@@ -47,8 +46,7 @@ WorkModel make_work_model(const Assembler& assembler, const MakeFactorisation& m
   const FactorSize factor = analyse_factor(assembler.pattern(), make);
   const double elements = size_of_elements(assembler);
   WorkModel model;
-  const double per_entry = assembler.pattern().symmetric ? kPerEntryOfCholesky : kPerEntry;
-  model.factorisation = factor.flops + per_entry * factor.entries;  // (3)
+  model.factorisation = factor.flops + kPerEntry * factor.entries;  // (3)
   model.solution = kPerEntry * factor.entries;                      // (4)
   model.residual = kPerResidual * elements;
   model.matrix = kPerMatrix * elements;

@@ -33,19 +33,19 @@ struct WorkModel {
 /// The cost model of a scene. F is the number of operations of the factorisation of the tangent and N the
 /// number of entries in the factor, both known from the analysis of the pattern. S = Σ elements × active
 /// terms × (degrees of freedom)² measures the elements.
-///   factorisation = F + (a or b) N                                                          (3)
+///   factorisation = F + a N                                                                 (3)
 ///   solution = a N,   residual = c S,   matrix = d S                                        (4)
-/// The constants a to d are times, expressed in operations of a large factorisation, which makes 20
+/// The constants a, c and d are times, expressed in operations of a large factorisation, which makes 20
 /// operations per nanosecond. A solution has 4 N operations but waits for memory. The second term of (3) is
-/// the time for which a factorisation waits for memory; its constant is b for Cholesky's factor (CHOLMOD) and
-/// a for L U (multifrontal). tests/bench/work_model.cpp prints the times of this model and the measured ones:
-/// for panels and a trawl of 216 to 100 000 unknowns, they agree to a factor of 1.7 for iterations and
-/// factorisations, and 4.5 for the other operations.
+/// the time for which a factorisation waits for memory. tests/bench/work_model.cpp prints the times of this
+/// model and the measured ones: for panels and a trawl of 216 to 100 000 unknowns, they agree to a factor
+/// of 1.7 for iterations and factorisations, and to a factor of 4.5 for the other operations, of which there
+/// are few.
 ///
 /// `unit` is (1) of the scene itself. If the factorisation does not report F before its first use, F and N
 /// are those of nested dissection of a square grid of n nodes with three unknowns each. With one unknown per
-/// node, a symmetric matrix has 31/4 n log₂ n entries and takes 829/84 n^(3/2) multiplications, and an
-/// unsymmetric one twice as many (A. George, Nested dissection of a regular finite element mesh, SIAM J.
+/// node, Cholesky's factor has 31/4 n log₂ n entries and takes 829/84 n^(3/2) multiplications, and L U
+/// twice as many (A. George, Nested dissection of a regular finite element mesh, SIAM J.
 /// Numer. Anal. 10, 1973); three unknowns per node take 9 times as many entries and 27 times as many
 /// multiplications. A `make` that caches analyses reuses this analysis in the solver.
 WorkModel make_work_model(const Assembler& assembler, const MakeFactorisation& make);

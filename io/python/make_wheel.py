@@ -27,8 +27,7 @@ Requires-Dist: scipy; extra == "all"
 Requires-Dist: xarray; extra == "all"
 
 """
-# The sources are BSD-3-Clause; what they are linked to decides on the wheel (solvers/factorisation/README.md).
-LICENCE = "GPL-2.0-or-later (with SuiteSparse inside; the sources of Netloft are BSD-3-Clause)"
+LICENCE = "BSD-3-Clause (with MUMPS and Scotch under CeCILL-C, METIS under Apache-2.0 and others under similar licences inside)"
 
 
 def libraries_of(module):

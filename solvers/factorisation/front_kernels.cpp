@@ -200,13 +200,15 @@ NETLOFT_INLINE double eliminate_column(double* left, std::ptrdiff_t stride, std:
 
 /// Eliminates pivot k of the block that begins at `begin`, within the rows of A₁₁: exchanges its row,
 /// computes its column of L and updates the columns after it before `end`. Returns one over the pivot, or
-/// zero if the pivot is zero.
+/// zero if the pivot is not accepted.
 template <class Register>
 NETLOFT_INLINE double eliminate_pivot(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t k,
-                                      std::ptrdiff_t end, std::int32_t* exchanged) {
+                                      std::ptrdiff_t end, bool positive, std::int32_t* exchanged) {
   const std::ptrdiff_t n = f.pivots, stride = left_stride(n, f.others);
   const double* column = f.left + k * stride;
-  const std::ptrdiff_t row = is_pivot<Register>(column, begin, k, n) ? k : row_of_largest(column, k, n);
+  if (positive && !(column[k] > 0)) return 0;
+  const std::ptrdiff_t row =
+      positive || is_pivot<Register>(column, begin, k, n) ? k : row_of_largest(column, k, n);
   if (column[row] == 0) return 0;
   exchanged[k] = static_cast<std::int32_t>(row);
   if (row != k) exchange(f.left + k, f.left + row, n, stride);
@@ -242,14 +244,14 @@ NETLOFT_INLINE bool is_zero_below(const FrontPanels& f, std::ptrdiff_t begin, st
 
 template <class Register>
 NETLOFT_INLINE Elimination eliminate_block(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
-                                           double least_pivot, std::int32_t* exchanged) {
+                                           const PivotRule& rule, std::int32_t* exchanged) {
   double S[kBlock];
   for (std::ptrdiff_t k = begin; k < end; ++k) {
-    S[k - begin] = eliminate_pivot<Register>(f, begin, k, end, exchanged);
+    S[k - begin] = eliminate_pivot<Register>(f, begin, k, end, rule.positive, exchanged);
     if (S[k - begin] == 0) return {static_cast<std::int32_t>(k), is_zero_below<Register>(f, begin, k, S)};
   }
   const double squares = solve_below<Register>(f, begin, end, S);
-  if (!(least_pivot * least_pivot * squares < 1)) return {static_cast<std::int32_t>(end - 1), false};
+  if (!(rule.least * rule.least * squares < 1)) return {static_cast<std::int32_t>(end - 1), false};
   return {};
 }
 
@@ -303,12 +305,12 @@ NETLOFT_INLINE void subtract_rows(const FrontPanels& f, std::ptrdiff_t begin, st
 }
 
 template <class Register>
-NETLOFT_INLINE Elimination eliminate_left(const FrontPanels& f, double least_pivot, std::int32_t* exchanged) {
+NETLOFT_INLINE Elimination eliminate_left(const FrontPanels& f, const PivotRule& rule,
+                                          std::int32_t* exchanged) {
   const std::ptrdiff_t n = f.pivots, rows = n + f.others;
   for (std::ptrdiff_t done = 0; done < n;) {
     const std::ptrdiff_t end = std::min(done + kBlock, n);
-    if (const Elimination e = eliminate_block<Register>(f, done, end, least_pivot, exchanged);
-        e.stopped_at >= 0)
+    if (const Elimination e = eliminate_block<Register>(f, done, end, rule, exchanged); e.stopped_at >= 0)
       return e;
     done = end;
     if (end == n) break;
@@ -344,8 +346,8 @@ NETLOFT_INLINE void solve_upper(const FrontPanels& f, const std::int32_t* exchan
 }
 
 template <class Register>
-NETLOFT_INLINE Elimination eliminate(const FrontPanels& f, double least_pivot, std::int32_t* exchanged) {
-  const Elimination e = eliminate_left<Register>(f, least_pivot, exchanged);
+NETLOFT_INLINE Elimination eliminate(const FrontPanels& f, const PivotRule& rule, std::int32_t* exchanged) {
+  const Elimination e = eliminate_left<Register>(f, rule, exchanged);
   if (e.stopped_at < 0) solve_upper<Register>(f, exchanged, 0, f.others);
   return e;
 }
@@ -421,8 +423,9 @@ NETLOFT_INLINE void backward(const FrontPanels& f, double* y) {
 
 #define NETLOFT_KERNELS(name, Register, ...)                                                                 \
   struct name {                                                                                              \
-    __VA_ARGS__ static Elimination eliminate(const FrontPanels& f, double least, std::int32_t* exchanged) {  \
-      return netloft::eliminate<Register>(f, least, exchanged);                                              \
+    __VA_ARGS__ static Elimination eliminate(const FrontPanels& f, const PivotRule& rule,                    \
+                                             std::int32_t* exchanged) {                                      \
+      return netloft::eliminate<Register>(f, rule, exchanged);                                               \
     }                                                                                                        \
     __VA_ARGS__ static void update(const FrontPanels& f, double* C) {                                        \
       netloft::update<Register>(f, C, 0, f.others);                                                          \
@@ -430,9 +433,9 @@ NETLOFT_INLINE void backward(const FrontPanels& f, double* y) {
     __VA_ARGS__ static void forward(const FrontPanels& f, double* y) { netloft::forward<Register>(f, y); }   \
     __VA_ARGS__ static void backward(const FrontPanels& f, double* y) { netloft::backward<Register>(f, y); } \
     __VA_ARGS__ static Elimination eliminate_block(const FrontPanels& f, std::ptrdiff_t begin,               \
-                                                   std::ptrdiff_t end, double least,                         \
+                                                   std::ptrdiff_t end, const PivotRule& rule,                \
                                                    std::int32_t* exchanged) {                                \
-      return netloft::eliminate_block<Register>(f, begin, end, least, exchanged);                            \
+      return netloft::eliminate_block<Register>(f, begin, end, rule, exchanged);                             \
     }                                                                                                        \
     __VA_ARGS__ static void solve_rows(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,       \
                                        std::ptrdiff_t from, std::ptrdiff_t to) {                             \

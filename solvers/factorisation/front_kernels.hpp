@@ -25,8 +25,18 @@ constexpr std::ptrdiff_t left_stride(std::ptrdiff_t pivots, std::ptrdiff_t other
   return upper_stride(pivots + others + kTileRows - 1);
 }
 
+/// Which pivots are accepted.
+struct PivotRule {
+  /// Stops if the columns of L₂₁ of one block together have a norm above 1/least.
+  double least = 0;
+  /// Takes the pivots from the diagonal, without exchange of rows, and stops at the first that is not
+  /// positive. With this rule, a symmetric matrix is eliminated if and only if it is positive definite, but
+  /// for rounding.
+  bool positive = false;
+};
+
 struct Elimination {
-  std::int32_t stopped_at = -1;  // first pivot that is zero or too small; -1: none
+  std::int32_t stopped_at = -1;  // first pivot that is not accepted; -1: none
   bool column_is_zero = false;   // whether the whole column of that pivot is zero
 };
 
@@ -43,11 +53,11 @@ constexpr std::ptrdiff_t eliminated_together(std::ptrdiff_t end) { return end & 
 ///   P A₁₁ = L₁₁ U₁₁,  L₂₁ = A₂₁ U₁₁⁻¹,  U₁₂ = L₁₁⁻¹ P A₁₂                 (1)
 ///   C ← C − L₂₁ U₁₂                                                       (2)
 /// P exchanges rows of A₁₁ only: the largest entry of a column becomes its pivot if the diagonal entry is
-/// less than a tenth of the norm of the entries below (threshold pivoting; Duff, Erisman, Reid 1986). The
-/// elimination stops if the columns of L₂₁ of one block together have a norm above 1/least_pivot.
+/// less than a tenth of the norm of the entries below (threshold pivoting; Duff, Erisman, Reid 1986), unless
+/// the rule is another.
 struct FrontKernels {
   /// Computes (1). `exchanged[k]` becomes the row with which row k was exchanged.
-  Elimination (*eliminate)(const FrontPanels& front, double least_pivot, std::int32_t* exchanged);
+  Elimination (*eliminate)(const FrontPanels& front, const PivotRule& rule, std::int32_t* exchanged);
   /// Computes (2); the columns of C have the stride of `upper`.
   void (*update)(const FrontPanels& front, double* C);
   /// y₁ ← L₁₁⁻¹ y₁, y₂ ← y₂ − L₂₁ y₁, where y consists of y₁, y₂ and kTileRows spare numbers. The caller has
@@ -60,7 +70,7 @@ struct FrontKernels {
   // to `to` are independent; ranges of rows begin at a multiple of kTileRows after the first row. The first
   // function computes L₁₁\\U₁₁ and L₂₁ in the columns of one block of pivots.
   Elimination (*eliminate_block)(const FrontPanels& front, std::ptrdiff_t begin, std::ptrdiff_t end,
-                                 double least_pivot, std::int32_t* exchanged);
+                                 const PivotRule& rule, std::int32_t* exchanged);
   /// Computes U₁₁ in the rows from `begin` to `end` and the columns from `from` to `to`.
   void (*solve_rows)(const FrontPanels& front, std::ptrdiff_t begin, std::ptrdiff_t end, std::ptrdiff_t from,
                      std::ptrdiff_t to);

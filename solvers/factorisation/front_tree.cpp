@@ -9,60 +9,12 @@
 
 #include "solvers/factorisation/front_kernels.hpp"
 #include "solvers/factorisation/node_graph.hpp"
-#include "solvers/factorisation/suitesparse_scope.hpp"
+#include "solvers/factorisation/supernodes.hpp"
 
 namespace netloft {
 namespace {
 
 using Indices = std::vector<std::int32_t>;
-
-/// CHOLMOD's supernodes of the node graph.
-class Supernodes {
- public:
-  Supernodes(NodeGraph& graph, Indices order);
-  ~Supernodes() { cholmod_free_factor(&factor_, common_.get()); }
-  Supernodes(const Supernodes&) = delete;
-  Supernodes& operator=(const Supernodes&) = delete;
-
-  std::size_t count() const { return factor_->nsuper; }
-  std::span<const int> order() const { return {static_cast<const int*>(factor_->Perm), factor_->n}; }
-  int first(std::size_t s) const { return static_cast<const int*>(factor_->super)[s]; }
-  /// The vertices of a supernode in the order of elimination, its own vertices first.
-  std::span<const int> vertices(std::size_t s) const {
-    const int *start = static_cast<const int*>(factor_->pi), *vertex = static_cast<const int*>(factor_->s);
-    return {vertex + start[s], vertex + start[s + 1]};
-  }
-
- private:
-  CholmodCommon common_;
-  cholmod_factor* factor_ = nullptr;
-};
-
-/// Neighbouring supernodes are merged into one of n vertices in four cases: n ≤ 2; n ≤ 6 with at most a
-/// fraction of 0.8 of zeros among its entries; n ≤ 16 with at most 0.1; any n with at most 0.05. Seven sets
-/// were compared, from no merging to 6, 16, 32, 0.8, 0.2, 0.08, on tangents of 500 to 10⁵ unknowns: none is
-/// better by more than 4 %, and the set with the largest supernodes takes 1.5 times as long at 500.
-void merge(cholmod_common& common) {
-  constexpr std::size_t kVertices[] = {2, 6, 16};
-  constexpr double kZeros[] = {0.8, 0.1, 0.05};
-  std::copy(std::begin(kVertices), std::end(kVertices), common.nrelax);
-  std::copy(std::begin(kZeros), std::end(kZeros), common.zrelax);
-}
-
-Supernodes::Supernodes(NodeGraph& graph, Indices order) {
-  common_->nmethods = 1;
-  common_->method[0].ordering = CHOLMOD_GIVEN;
-  common_->supernodal = CHOLMOD_SUPERNODAL;
-  merge(*common_.get());
-  cholmod_sparse view = view_of(graph);
-  // With the option "for SPQR", CHOLMOD analyses without laying out the factor, which may have more entries
-  // than 32-bit indices allow.
-  factor_ = cholmod_analyze_p2(CHOLMOD_ANALYZE_FOR_SPQR, &view, order.data(), nullptr, 0, common_.get());
-  if (factor_ == nullptr) {
-    throw std::runtime_error("cannot analyse a matrix of " + std::to_string(graph.unknown.size()) +
-                             " unknowns: CHOLMOD status " + std::to_string(common_->status));
-  }
-}
 
 /// The vertices in the order of their first unknowns.
 Indices vertex_order(const NodeGraph& graph, std::span<const std::int32_t> unknowns) {
@@ -124,9 +76,8 @@ class FrontTreeBuilder {
 };
 
 FrontTree FrontTreeBuilder::build(OrderingMethod method) {
-  NodeGraph graph = make_node_graph(pattern_);
+  const NodeGraph graph = make_node_graph(pattern_);
   NodeOrdering ordering = order_nodes(graph, method);
-  const SingleThreadScope single_thread;
   const Supernodes supernodes(graph, vertex_order(graph, ordering.unknown));
   tree_.ordering = ordering.method;
   order_unknowns(graph, supernodes);
@@ -144,7 +95,7 @@ FrontTree FrontTreeBuilder::build(OrderingMethod method) {
 
 void FrontTreeBuilder::order_unknowns(const NodeGraph& graph, const Supernodes& supernodes) {
   vertex_start_.assign(1, 0);
-  for (const int v : supernodes.order()) {
+  for (const std::int32_t v : supernodes.order()) {
     tree_.unknown.insert(tree_.unknown.end(), graph.unknown.begin() + graph.unknown_start[v],
                          graph.unknown.begin() + graph.unknown_start[v + 1]);
     vertex_start_.push_back(static_cast<std::int32_t>(tree_.unknown.size()));
@@ -156,12 +107,11 @@ void FrontTreeBuilder::order_unknowns(const NodeGraph& graph, const Supernodes& 
 void FrontTreeBuilder::list_fronts(const Supernodes& supernodes) {
   front_.resize(tree_.unknown.size());
   for (std::size_t s = 0; s < supernodes.count(); ++s) {
-    const std::size_t own = static_cast<std::size_t>(supernodes.first(s + 1) - supernodes.first(s));
     Front front;
     front.first = vertex_start_[supernodes.first(s)];
     front.pivots = vertex_start_[supernodes.first(s + 1)] - front.first;
     front.indices = tree_.other.size();
-    for (const int vertex : supernodes.vertices(s).subspan(own))
+    for (const std::int32_t vertex : supernodes.others(s))
       for (std::int32_t k = vertex_start_[vertex]; k < vertex_start_[vertex + 1]; ++k)
         tree_.other.push_back(k);
     front.others = static_cast<std::int32_t>(tree_.other.size() - front.indices);

@@ -56,7 +56,7 @@ struct FrontTree {
   std::string ordering;
 };
 
-/// Orders `pattern`, merges small fronts as CHOLMOD merges its supernodes, and computes all indices. Throws
+/// Orders `pattern`, merges small fronts (supernodes.hpp), and computes all indices. Throws
 /// std::runtime_error on failure.
 FrontTree make_front_tree(const SparsePattern& pattern, OrderingMethod method);
 

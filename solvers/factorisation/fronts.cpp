@@ -8,12 +8,6 @@
 #include "solvers/factorisation/shared_front.hpp"
 
 namespace netloft {
-namespace {
-
-constexpr double kLeastPivot = 1e-8;  // least pivot, relative to the norm of the columns of L
-
-}  // namespace
-
 void Room::resize(std::size_t count) {
   all_.reset();
   all_.reset(new double[count + kLine]);
@@ -22,11 +16,13 @@ void Room::resize(std::size_t count) {
   begin_ = static_cast<double*>(std::align(kLine * sizeof(double), count * sizeof(double), begin, bytes));
 }
 
-void Fronts::plan(const FrontTree& tree, const FrontSchedule& schedule, std::size_t values) {
+void Fronts::plan(const FrontTree& tree, const FrontSchedule& schedule, std::size_t values,
+                  const PivotRule& rule) {
   forget_room();
   tree_ = &tree;
   schedule_ = &schedule;
   value_count_ = values;
+  rule_ = rule;
 }
 
 void Fronts::forget_room() {
@@ -83,8 +79,8 @@ Elimination Fronts::eliminate(std::size_t front, Workers* workers) {
   for (std::int32_t c = tree_->child_start[front]; c < tree_->child_start[front + 1]; ++c)
     matrix_kernels_.add_child(left_by(static_cast<std::size_t>(tree_->child[c])), panels, update.data());
   std::int32_t* exchanged = exchanged_.data() + f.first;
-  const Elimination e = workers ? eliminate_together(kernels_, panels, kLeastPivot, exchanged, *workers)
-                                : kernels_.eliminate(panels, kLeastPivot, exchanged);
+  const Elimination e = workers ? eliminate_together(kernels_, panels, rule_, exchanged, *workers)
+                                : kernels_.eliminate(panels, rule_, exchanged);
   if (e.stopped_at < 0)
     workers ? update_together(kernels_, panels, update.data(), *workers)
             : kernels_.update(panels, update.data());

@@ -31,7 +31,7 @@ class Room {
 class Fronts {
  public:
   /// `values` is the number of values of the matrix. `tree` and `schedule` must outlive the last call.
-  void plan(const FrontTree& tree, const FrontSchedule& schedule, std::size_t values);
+  void plan(const FrontTree& tree, const FrontSchedule& schedule, std::size_t values, const PivotRule& rule);
 
   /// The memory that has_room() allocates [bytes].
   double bytes() const;
@@ -60,6 +60,7 @@ class Fronts {
   const FrontTree* tree_ = nullptr;
   const FrontSchedule* schedule_ = nullptr;
   std::size_t value_count_ = 0;
+  PivotRule rule_;
   const FrontKernels& kernels_ = front_kernels();
   const MatrixKernels& matrix_kernels_ = matrix_kernels();
   std::vector<double> values_;  // values of the matrix, by slot

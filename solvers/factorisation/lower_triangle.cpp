@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solvers/factorisation/lower_triangle.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <span>
 
 #include "solvers/factorisation/foreseen_memory.hpp"
 
@@ -17,15 +19,16 @@ void for_entries(const SparsePattern& pattern, Visit&& visit) {
       visit(pattern.row[e], c, e);
 }
 
-/// The full pattern that belongs to a lower triangle, and for each of its entries the source of its value.
+/// The full pattern that belongs to a lower triangle, and for each of its values the value of the triangle.
 struct WholePattern {
   SparsePattern pattern;
-  std::vector<std::size_t> source;
+  std::vector<std::int32_t> source;
 
   explicit WholePattern(const SparsePattern& lower);
 
  private:
   void count_entries(const SparsePattern& lower);
+  void interleave();
 };
 
 WholePattern::WholePattern(const SparsePattern& lower) {
@@ -36,13 +39,35 @@ WholePattern::WholePattern(const SparsePattern& lower) {
   std::vector<std::int32_t> next(pattern.column_start.begin(), pattern.column_start.end() - 1);
   const auto put = [&](std::int32_t row, std::int32_t column, std::int32_t entry) {
     pattern.row[next[column]] = row;
-    source[next[column]++] = lower.slot_of(static_cast<std::size_t>(entry));
+    source[next[column]++] = static_cast<std::int32_t>(lower.slot_of(static_cast<std::size_t>(entry)));
   };
   // Rows are sorted, because the upper entries of a column come from earlier columns in increasing order.
   for_entries(lower, [&](auto row, auto column, auto entry) {
     if (row != column) put(column, row, entry);
   });
   for_entries(lower, put);
+  interleave();
+}
+
+/// Stores the values of columns with the same rows row by row, so that those of two nodes are adjacent.
+void WholePattern::interleave() {
+  const auto& start = pattern.column_start;
+  const auto rows = [&](std::int32_t c) {
+    return std::span(pattern.row).subspan(start[c], start[c + 1] - start[c]);
+  };
+  pattern.slot.resize(source.size());
+  for (std::int32_t first = 0, last = 1; first < pattern.size; first = last++) {
+    while (last < pattern.size && pattern.node[last] == pattern.node[first] &&
+           std::ranges::equal(rows(last), rows(first)))
+      ++last;
+    for (std::int32_t c = first; c < last; ++c)
+      for (std::int32_t e = start[c]; e < start[c + 1]; ++e)
+        pattern.slot[e] = start[first] + (e - start[c]) * (last - first) + c - first;
+  }
+  pattern.slots = source.size();
+  std::vector<std::int32_t> by_slot(source.size());
+  for (std::size_t e = 0; e < source.size(); ++e) by_slot[pattern.slot[e]] = source[e];
+  source = std::move(by_slot);
 }
 
 void WholePattern::count_entries(const SparsePattern& lower) {

@@ -1,27 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solvers/factorisation/make_factorisation.hpp"
 
-#include "solvers/factorisation/cholmod.hpp"
 #include "solvers/factorisation/lower_triangle.hpp"
 #include "solvers/factorisation/multifrontal.hpp"
 #include "solvers/factorisation/mumps.hpp"
-#include "solvers/factorisation/umfpack.hpp"
 
 namespace netloft {
 
 namespace {
 
-std::unique_ptr<Factorisation> make_spare() {
-  if (has_mumps()) return make_mumps_factorisation(MatrixClass::unsymmetric);
-  return make_umfpack_factorisation();
+std::unique_ptr<Factorisation> make_unsymmetric(int threads) {
+  MakeSpare spare;
+  if (has_mumps()) spare = [] { return make_mumps_factorisation(MatrixClass::unsymmetric); };
+  return make_multifrontal_factorisation(std::move(spare), OrderingMethod::best, threads);
 }
 
 std::unique_ptr<Factorisation> make(MatrixClass kind, int threads) {
-  if (kind == MatrixClass::positive_definite) return make_cholmod_factorisation();
-  if (kind == MatrixClass::unsymmetric)
-    return make_multifrontal_factorisation(make_spare, OrderingMethod::best, threads);
+  if (kind == MatrixClass::positive_definite)
+    return make_definite_factorisation(OrderingMethod::best, threads);
+  if (kind == MatrixClass::unsymmetric) return make_unsymmetric(threads);
   if (has_mumps()) return make_mumps_factorisation(kind);
-  return make_factorisation_of_lower_triangle(make_umfpack_factorisation());
+  return make_factorisation_of_lower_triangle(make_unsymmetric(threads));
 }
 
 }  // namespace

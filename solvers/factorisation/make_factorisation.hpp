@@ -6,9 +6,10 @@
 
 namespace netloft {
 
-/// Makes the factorisation for a class of matrices: CHOLMOD for positive definite matrices, this program's
-/// multifrontal factorisation for unsymmetric ones with MUMPS as its fallback, and MUMPS for all others.
-/// UMFPACK replaces MUMPS in builds without MUMPS. Fits `MakeFactorisation`.
+/// Makes the factorisation for a class of matrices: this program's multifrontal factorisation for positive
+/// definite matrices and for unsymmetric ones, for these with MUMPS as its fallback, and MUMPS for all
+/// others. Without MUMPS, there is no fallback, and the multifrontal factorisation takes all matrices. Fits
+/// `MakeFactorisation`.
 std::unique_ptr<Factorisation> make_factorisation(MatrixClass kind);
 
 /// Returns a function like make_factorisation that uses `threads` threads for large matrices. The factors

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solvers/factorisation/memory_pool.hpp"
 
-#include <SuiteSparse_config.h>
 #ifdef __APPLE__
 #include <malloc/malloc.h>
 #else
@@ -102,8 +101,6 @@ void MemoryPool::clear() {
   used_bytes_ = most_used_bytes_ = 0;
 }
 
-// --- functions called by SuiteSparse ---------------------------------------------------------------------
-
 namespace {
 
 thread_local MemoryPool* current_pool = nullptr;
@@ -121,53 +118,9 @@ void* pool_realloc(void* block, std::size_t bytes) {
 
 void pool_free(void* block) { current_pool ? current_pool->give_back(block) : std::free(block); }
 
-struct Allocator {
-  void* (*malloc)(std::size_t);
-  void* (*calloc)(std::size_t, std::size_t);
-  void* (*realloc)(void*, std::size_t);
-  void (*free)(void*);
-};
-
-#if SUITESPARSE_MAIN_VERSION >= 7
-auto malloc_in_use() { return SuiteSparse_config_malloc_func_get(); }
-
-void use(const Allocator& allocator) {
-  SuiteSparse_config_malloc_func_set(allocator.malloc);
-  SuiteSparse_config_calloc_func_set(allocator.calloc);
-  SuiteSparse_config_realloc_func_set(allocator.realloc);
-  SuiteSparse_config_free_func_set(allocator.free);
-}
-#else
-auto malloc_in_use() { return SuiteSparse_config.malloc_func; }
-
-void use(const Allocator& allocator) {
-  SuiteSparse_config.malloc_func = allocator.malloc;
-  SuiteSparse_config.calloc_func = allocator.calloc;
-  SuiteSparse_config.realloc_func = allocator.realloc;
-  SuiteSparse_config.free_func = allocator.free;
-}
-#endif
-
-/// Installs the pool's functions in SuiteSparse from the first scope until this library is unloaded. A plugin
-/// that is unloaded therefore leaves no pointer behind.
-class InstalledAllocator {
- public:
-  InstalledAllocator() {
-    if (malloc_in_use() == &std::malloc) use({pool_malloc, pool_calloc, pool_realloc, pool_free});
-  }
-  InstalledAllocator(const InstalledAllocator&) = delete;
-  InstalledAllocator& operator=(const InstalledAllocator&) = delete;
-  ~InstalledAllocator() {
-    if (malloc_in_use() == &pool_malloc) use({std::malloc, std::calloc, std::realloc, std::free});
-  }
-};
-
 }  // namespace
 
-MemoryPoolScope::MemoryPoolScope(MemoryPool& pool) : outer_(current_pool) {
-  static const InstalledAllocator installed;
-  current_pool = &pool;
-}
+MemoryPoolScope::MemoryPoolScope(MemoryPool& pool) : outer_(current_pool) { current_pool = &pool; }
 
 MemoryPoolScope::~MemoryPoolScope() { current_pool = outer_; }
 

@@ -5,7 +5,7 @@
 
 namespace netloft {
 
-/// Keeps the blocks that SuiteSparse and MUMPS free and reuses them, so that the second and every later
+/// Keeps the blocks that MUMPS frees and reuses them, so that the second and every later
 /// factorisation of one pattern calls no malloc.
 ///
 /// Every block is a plain malloc block whose size the C library reports. Therefore free() may free a block of
@@ -39,8 +39,7 @@ class MemoryPool {
   std::size_t used_bytes_ = 0, most_used_bytes_ = 0;
 };
 
-/// Lets SuiteSparse and MUMPS take their memory from `pool` while this object lives, in this thread only.
-/// Does not affect SuiteSparse if the program has given it an allocator of its own.
+/// Lets MUMPS take its memory from `pool` while this object lives, in this thread only.
 class MemoryPoolScope {
  public:
   explicit MemoryPoolScope(MemoryPool& pool);

@@ -15,6 +15,7 @@
 #include "solvers/factorisation/finite_values.hpp"
 #include "solvers/factorisation/foreseen_memory.hpp"
 #include "solvers/factorisation/fronts.hpp"
+#include "solvers/factorisation/lower_triangle.hpp"
 
 namespace netloft {
 namespace {
@@ -24,11 +25,13 @@ constexpr double kLargestError = 1e-9;  // backward error (2) above which the sp
 // gain little.
 constexpr double kWorthThreads = 2e8;
 constexpr double kErrorToRefine = 1e-12;  // backward error (2) above which a solution is refined
+constexpr PivotRule kLargePivots{.least = 1e-8, .positive = false},
+    kPositivePivots{.least = 0, .positive = true};
 
 class MultifrontalFactorisation final : public Factorisation, public ForeseesMemory {
  public:
-  MultifrontalFactorisation(MakeSpare make_spare, OrderingMethod method, int threads)
-      : make_spare_(std::move(make_spare)), method_(method), threads_(threads) {}
+  MultifrontalFactorisation(MakeSpare make_spare, OrderingMethod method, int threads, const PivotRule& rule)
+      : make_spare_(std::move(make_spare)), method_(method), threads_(threads), rule_(rule) {}
 
   std::string description() const override;
   void analyse(const SparsePattern& pattern) override;
@@ -46,6 +49,7 @@ class MultifrontalFactorisation final : public Factorisation, public ForeseesMem
   bool take(std::span<const double> values);
   Elimination eliminate_all(std::size_t& front);
   Elimination eliminate_branches(std::size_t& failed);
+  FactorResult refuse(std::size_t front, const Elimination& end);
   FactorResult hand_over();
   void solve_alone(std::span<double> x);
   double find_residual(std::span<const double> x, std::span<const double> rhs);
@@ -56,6 +60,7 @@ class MultifrontalFactorisation final : public Factorisation, public ForeseesMem
   const SparsePattern* pattern_ = nullptr;
   FrontTree tree_;
   int threads_;
+  PivotRule rule_;
   std::unique_ptr<Workers> workers_;  // nullptr: one thread
   FrontSchedule schedule_;
   std::vector<Elimination> ends_;  // results of the branches
@@ -86,7 +91,7 @@ void MultifrontalFactorisation::analyse(const SparsePattern& pattern) {
     schedule();
   }
   ends_.resize(schedule_.branches.size());
-  fronts_.plan(tree_, schedule_, pattern.value_slots());
+  fronts_.plan(tree_, schedule_, pattern.value_slots(), rule_);
 }
 
 void MultifrontalFactorisation::schedule() {
@@ -117,18 +122,24 @@ double MultifrontalFactorisation::factor_bytes() const {
 FactorResult MultifrontalFactorisation::factorise(std::span<const double> values) {
   assert(pattern_ != nullptr && values.size() == pattern_->value_slots());
   state_ = State::none;
-  is_checked_ = false;
+  is_checked_ = rule_.positive;  // an elimination with positive pivots is stable
   if (pattern_->size > 0) {
     if (!has_room()) return {FactorStatus::out_of_memory};
     if (!take(values)) return {FactorStatus::failed, find_column_not_finite(*pattern_, values)};
     std::size_t front = 0;
     const Elimination e = eliminate_all(front);
-    if (e.column_is_zero)
-      return {FactorStatus::singular, tree_.unknown[tree_.fronts[front].first + e.stopped_at]};
-    if (e.stopped_at >= 0) return hand_over();
+    if (e.stopped_at >= 0) return refuse(front, e);
   }
   state_ = State::own;
-  return {};
+  return {FactorStatus::ok, -1, rule_.positive ? 0 : -1};
+}
+
+/// Answers an elimination that stopped in a front.
+FactorResult MultifrontalFactorisation::refuse(std::size_t front, const Elimination& end) {
+  const std::int32_t column = tree_.unknown[tree_.fronts[front].first + end.stopped_at];
+  if (rule_.positive) return {FactorStatus::not_positive_definite, column};
+  if (end.column_is_zero || !make_spare_) return {FactorStatus::singular, column};
+  return hand_over();
 }
 
 /// Copies the values. Returns false if some are not finite; unused slots are ignored.
@@ -231,14 +242,20 @@ void MultifrontalFactorisation::check(std::span<double> x) {
     error = find_residual(x, rhs_);
   }
   // If the spare factorisation fails as well, the present result is kept.
-  if (!(error <= kLargestError) && hand_over().status == FactorStatus::ok) spare_->solve(rhs_, x);
+  if (!(error <= kLargestError) && make_spare_ && hand_over().status == FactorStatus::ok)
+    spare_->solve(rhs_, x);
 }
 
 }  // namespace
 
 std::unique_ptr<Factorisation> make_multifrontal_factorisation(MakeSpare make_spare, OrderingMethod method,
                                                                int threads) {
-  return std::make_unique<MultifrontalFactorisation>(std::move(make_spare), method, threads);
+  return std::make_unique<MultifrontalFactorisation>(std::move(make_spare), method, threads, kLargePivots);
+}
+
+std::unique_ptr<Factorisation> make_definite_factorisation(OrderingMethod method, int threads) {
+  return make_factorisation_of_lower_triangle(
+      std::make_unique<MultifrontalFactorisation>(nullptr, method, threads, kPositivePivots));
 }
 
 }  // namespace netloft

@@ -22,10 +22,17 @@ using MakeSpare = std::function<std::unique_ptr<Factorisation>()>;
 /// - if in the first solve after a factorisation the backward error (2) (Oettli and Prager 1964) is larger
 ///   than 1e-9 even after a step of iterative refinement.
 /// Several threads eliminate large matrices (front_schedule.hpp), with the same bits for any number of
-/// threads. A column of zeros is reported as singular at its unknown. From the second `factorise` on, neither
-/// `factorise` nor `solve` allocates unless the spare factorisation takes over.
+/// threads. Without a spare factorisation, such matrices count as singular. A column of zeros is reported as
+/// singular at its unknown. From the second `factorise` on, neither `factorise` nor `solve` allocates unless
+/// the spare factorisation takes over.
 std::unique_ptr<Factorisation> make_multifrontal_factorisation(MakeSpare make_spare,
                                                                OrderingMethod method = OrderingMethod::best,
                                                                int threads = 1);
+
+/// The same for symmetric positive definite matrices, which are given by their lower triangle: Q = 1, and the
+/// diagonal of U is positive. If the matrix is not positive definite, `column` of the result is the first
+/// unknown whose pivot is not positive; which one that is depends on P.
+std::unique_ptr<Factorisation> make_definite_factorisation(OrderingMethod method = OrderingMethod::best,
+                                                           int threads = 1);
 
 }  // namespace netloft

@@ -14,7 +14,6 @@
 #include "solvers/factorisation/finite_values.hpp"
 #include "solvers/factorisation/foreseen_memory.hpp"
 #include "solvers/factorisation/memory_pool.hpp"
-#include "solvers/factorisation/suitesparse_scope.hpp"
 
 // The only entry point of MUMPS in this build; see cmake/FindMumpsSeq.cmake.
 extern "C" void netloft_dmumps_c(DMUMPS_STRUC_C*);
@@ -61,7 +60,6 @@ MumpsInstance::MumpsInstance(bool symmetric) {
 int MumpsInstance::run(Job job) {
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
-  const SingleThreadScope single_thread;
   id_.job = job;
   netloft_dmumps_c(&id_);
   return id_.infog[0];

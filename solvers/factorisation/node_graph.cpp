@@ -108,18 +108,26 @@ NodeGraph make_node_graph(const SparsePattern& pattern, std::size_t most_edges) 
   return graph;
 }
 
-cholmod_sparse view_of(NodeGraph& graph) {
-  cholmod_sparse view{};
-  view.nrow = view.ncol = static_cast<std::size_t>(graph.size);
-  view.nzmax = graph.row.size();
-  view.p = graph.column_start.data();
-  view.i = graph.row.data();
-  view.stype = -1;
-  view.itype = CHOLMOD_INT;
-  view.xtype = CHOLMOD_PATTERN;
-  view.dtype = CHOLMOD_DOUBLE;
-  view.packed = 1;
-  return view;
+Neighbours neighbours_of(const NodeGraph& graph) {
+  const auto for_edges = [&](auto&& visit) {
+    for (std::int32_t v = 0; v < graph.size; ++v)
+      for (std::int32_t e = graph.column_start[v]; e < graph.column_start[v + 1]; ++e)
+        if (graph.row[e] != v) visit(v, graph.row[e]);
+  };
+  Neighbours all;
+  all.start.assign(static_cast<std::size_t>(graph.size) + 1, 0);
+  for_edges([&](std::int32_t low, std::int32_t high) {
+    ++all.start[low + 1];
+    ++all.start[high + 1];
+  });
+  accumulate(all.start);
+  all.neighbour.resize(static_cast<std::size_t>(all.start.back()));
+  Indices next = all.start;
+  for_edges([&](std::int32_t low, std::int32_t high) { all.neighbour[next[high]++] = low; });
+  for_edges([&](std::int32_t low, std::int32_t high) { all.neighbour[next[low]++] = high; });
+  for (std::int32_t v = 0; v < graph.size; ++v)
+    std::sort(all.neighbour.begin() + all.start[v], all.neighbour.begin() + all.start[v + 1]);
+  return all;
 }
 
 }  // namespace netloft

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <cholmod.h>
-
 #include <cstdint>
 #include <vector>
 
@@ -24,14 +22,18 @@ struct NodeGraph {
   std::vector<std::int32_t> unknown;
 };
 
-/// Largest number of edges, where an edge counts once at each end. METIS and CHOLMOD use 32-bit indices here.
+/// Largest number of edges, where an edge counts once at each end. METIS uses 32-bit indices.
 inline constexpr std::size_t kMostEdges = 0x7fffffff;
 
 /// Makes the graph of a pattern; if the pattern is unsymmetric, of its union with its transpose. Throws
 /// std::runtime_error with a sentence if there are more than `most_edges` edges.
 NodeGraph make_node_graph(const SparsePattern& pattern, std::size_t most_edges = kMostEdges);
 
-/// The graph in CHOLMOD's form: the lower triangle of a pattern.
-cholmod_sparse view_of(NodeGraph& graph);
+/// The neighbours of each vertex v, without v itself: neighbour[start[v]], …, neighbour[start[v + 1] - 1],
+/// ascending.
+struct Neighbours {
+  std::vector<std::int32_t> start, neighbour;
+};
+Neighbours neighbours_of(const NodeGraph& graph);
 
 }  // namespace netloft

@@ -1,71 +1,72 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solvers/factorisation/node_ordering.hpp"
 
+#include <amd.h>
+#include <metis.h>
+
+#include <numeric>
 #include <stdexcept>
 
+#include "solvers/factorisation/elimination_tree.hpp"
 #include "solvers/factorisation/node_graph.hpp"
-#include "solvers/factorisation/suitesparse_scope.hpp"
 
 namespace netloft {
 namespace {
 
-std::vector<std::int32_t> expand_to_unknowns(const NodeGraph& graph, const int* vertex_order) {
-  std::vector<std::int32_t> unknowns;
+using Indices = std::vector<std::int32_t>;
+
+static_assert(sizeof(idx_t) == sizeof(std::int32_t), "METIS is built for indices of 64 bits");
+
+Indices expand_to_unknowns(const NodeGraph& graph, const Indices& vertex_order) {
+  Indices unknowns;
   unknowns.reserve(graph.unknown.size());
-  for (std::int32_t k = 0; k < graph.size; ++k) {
-    const auto first = graph.unknown.begin() + graph.unknown_start[vertex_order[k]];
-    const auto last = graph.unknown.begin() + graph.unknown_start[vertex_order[k] + 1];
-    unknowns.insert(unknowns.end(), first, last);
-  }
+  for (const std::int32_t v : vertex_order)
+    unknowns.insert(unknowns.end(), graph.unknown.begin() + graph.unknown_start[v],
+                    graph.unknown.begin() + graph.unknown_start[v + 1]);
   return unknowns;
 }
 
-// Number of nodes below which a part of a dissection is not divided further. 100 gives 1 % fewer operations
-// than CHOLMOD's 200.
-constexpr std::size_t kSmallPart = 100;
-
-NodeOrdering order_by(int method, const char* name, NodeGraph& graph) {
-  CholmodCommon common;
-  common->nmethods = 1;
-  common->method[0].ordering = method;
-  common->method[0].nd_small = kSmallPart;
-  common->supernodal = CHOLMOD_SIMPLICIAL;
-  cholmod_sparse view = view_of(graph);
-  cholmod_factor* factor = cholmod_analyze(&view, common.get());
-  if (factor == nullptr) {
-    throw std::runtime_error(std::string("cannot order the matrix by ") + name + ": CHOLMOD status " +
-                             std::to_string(common->status));
-  }
-  NodeOrdering ordering{expand_to_unknowns(graph, static_cast<const int*>(factor->Perm)), name, common->fl};
-  cholmod_free_factor(&factor, common.get());
-  return ordering;
+void require_done(bool is_done, const char* name, int status) {
+  if (!is_done)
+    throw std::runtime_error(std::string("cannot order the matrix by ") + name + ": status " +
+                             std::to_string(status));
 }
 
-NodeOrdering order_by(OrderingMethod method, NodeGraph& graph) {
-  switch (method) {
-    case OrderingMethod::metis:
-      return order_by(CHOLMOD_METIS, "METIS", graph);
-    case OrderingMethod::dissection:
-      return order_by(CHOLMOD_NESDIS, "METIS and CAMD", graph);
-    default:
-      return order_by(CHOLMOD_AMD, "AMD", graph);
+/// Without an edge, all orders are alike, and neither library takes the graph.
+Indices order_vertices(OrderingMethod method, Neighbours& graph, std::int32_t size) {
+  Indices order(static_cast<std::size_t>(size)), place(order.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (graph.neighbour.empty()) return order;
+  std::int32_t *start = graph.start.data(), *neighbour = graph.neighbour.data();
+  if (method == OrderingMethod::metis) {
+    const int status = METIS_NodeND(&size, start, neighbour, nullptr, nullptr, order.data(), place.data());
+    require_done(status == METIS_OK, "METIS", status);
+  } else {
+    const int status = amd_order(size, start, neighbour, order.data(), nullptr, nullptr);
+    require_done(status == AMD_OK, "AMD", status);
   }
+  return order;
+}
+
+NodeOrdering order_by(OrderingMethod method, const NodeGraph& graph, Neighbours& neighbours) {
+  const Indices order = order_vertices(method, neighbours, graph.size);
+  return {expand_to_unknowns(graph, order), method == OrderingMethod::metis ? "METIS" : "AMD",
+          make_elimination_tree(graph, order).flops()};
 }
 
 }  // namespace
 
-NodeOrdering order_nodes(const SparsePattern& pattern, OrderingMethod method, LargeNets large) {
-  NodeGraph graph = make_node_graph(pattern);
-  return order_nodes(graph, method, large);
+NodeOrdering order_nodes(const SparsePattern& pattern, OrderingMethod method, std::int32_t large) {
+  return order_nodes(make_node_graph(pattern), method, large);
 }
 
-NodeOrdering order_nodes(NodeGraph& graph, OrderingMethod method, LargeNets large) {
-  const SingleThreadScope single_thread;
-  if (method != OrderingMethod::best) return order_by(method, graph);
-  NodeOrdering amd = order_by(OrderingMethod::amd, graph);
-  if (graph.size < large.nodes) return amd;
-  NodeOrdering other = order_by(large.method, graph);
-  return amd.flops < other.flops ? amd : other;
+NodeOrdering order_nodes(const NodeGraph& graph, OrderingMethod method, std::int32_t large) {
+  Neighbours neighbours = neighbours_of(graph);
+  if (method != OrderingMethod::best) return order_by(method, graph, neighbours);
+  NodeOrdering amd = order_by(OrderingMethod::amd, graph, neighbours);
+  if (graph.size < large) return amd;
+  NodeOrdering metis = order_by(OrderingMethod::metis, graph, neighbours);
+  return amd.flops < metis.flops ? amd : metis;
 }
 
 }  // namespace netloft

@@ -33,13 +33,12 @@ double product(std::ptrdiff_t a, std::ptrdiff_t b, std::ptrdiff_t c) {
 }
 
 /// Computes L₁₁, U₁₁ and L₂₁ of front_kernels.hpp (1).
-Elimination eliminate_left(const FrontKernels& kernels, const FrontPanels& f, double least_pivot,
+Elimination eliminate_left(const FrontKernels& kernels, const FrontPanels& f, const PivotRule& rule,
                            std::int32_t* exchanged, Workers& workers) {
   const std::ptrdiff_t n = f.pivots, rows = n + f.others;
   for (std::ptrdiff_t done = 0; done < n;) {
     const std::ptrdiff_t end = std::min(done + kPivotBlock, n);
-    if (const Elimination e = kernels.eliminate_block(f, done, end, least_pivot, exchanged);
-        e.stopped_at >= 0)
+    if (const Elimination e = kernels.eliminate_block(f, done, end, rule, exchanged); e.stopped_at >= 0)
       return e;
     done = end;
     if (end == n) break;
@@ -57,9 +56,9 @@ Elimination eliminate_left(const FrontKernels& kernels, const FrontPanels& f, do
 
 }  // namespace
 
-Elimination eliminate_together(const FrontKernels& kernels, const FrontPanels& f, double least_pivot,
+Elimination eliminate_together(const FrontKernels& kernels, const FrontPanels& f, const PivotRule& rule,
                                std::int32_t* exchanged, Workers& workers) {
-  const Elimination e = eliminate_left(kernels, f, least_pivot, exchanged, workers);
+  const Elimination e = eliminate_left(kernels, f, rule, exchanged, workers);
   if (e.stopped_at >= 0) return e;
   divide(workers, 0, f.others, kTileRows, product(f.pivots, f.pivots, f.others) / 2,
          [&](std::ptrdiff_t from, std::ptrdiff_t to) { kernels.solve_upper(f, exchanged, from, to); });

@@ -7,7 +7,7 @@ namespace netloft {
 
 /// Eliminates a large front by (1) of front_kernels.hpp with several threads. The result has the same bits as
 /// that of FrontKernels::eliminate, because the operations on every number are the same.
-Elimination eliminate_together(const FrontKernels& kernels, const FrontPanels& front, double least_pivot,
+Elimination eliminate_together(const FrontKernels& kernels, const FrontPanels& front, const PivotRule& rule,
                                std::int32_t* exchanged, Workers& workers);
 
 /// Computes the update (2) of front_kernels.hpp in the same way.

@@ -15,11 +15,8 @@
 #include "framework/assembler/assembler.hpp"
 #include "framework/registry/registry.hpp"
 #include "framework/scene/scene_plan.hpp"
-#include "solvers/factorisation/cholmod.hpp"
-#include "solvers/factorisation/lower_triangle.hpp"
 #include "solvers/factorisation/multifrontal.hpp"
 #include "solvers/factorisation/mumps.hpp"
-#include "solvers/factorisation/umfpack.hpp"
 #include "tests/folders.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/solvers/factorisation/net_matrix.hpp"
@@ -89,9 +86,9 @@ class Table {
 
 void compare_definite(const char* what, const TestMatrix& m) {
   Table table(what, m);
-  table.add("CHOLMOD best", measure(*make_cholmod_factorisation(), m));
-  table.add("CHOLMOD METIS", measure(*make_cholmod_factorisation(OrderingMethod::metis), m));
-  table.add("CHOLMOD AMD", measure(*make_cholmod_factorisation(OrderingMethod::amd), m));
+  table.add("multifrontal best", measure(*make_definite_factorisation(), m));
+  table.add("multifrontal METIS", measure(*make_definite_factorisation(OrderingMethod::metis), m));
+  table.add("multifrontal AMD", measure(*make_definite_factorisation(OrderingMethod::amd), m));
   if (has_mumps())
     table.add("MUMPS LDLT best", measure(*make_mumps_factorisation(MatrixClass::symmetric), m));
 }
@@ -103,17 +100,13 @@ void compare_indefinite(const char* what, const TestMatrix& m) {
     table.add("MUMPS LDLT AMD",
               measure(*make_mumps_factorisation(MatrixClass::symmetric, OrderingMethod::amd), m));
   }
-  table.add("UMFPACK best", measure(*make_factorisation_of_lower_triangle(make_umfpack_factorisation()), m));
 }
-
-std::unique_ptr<Factorisation> make_umfpack() { return make_umfpack_factorisation(); }
 
 void compare_unsymmetric(const char* what, const TestMatrix& m) {
   Table table(what, m);
+  table.add("multifrontal best", measure(*make_multifrontal_factorisation(nullptr), m));
   if (has_mumps())
     table.add("MUMPS LU best", measure(*make_mumps_factorisation(MatrixClass::unsymmetric), m));
-  table.add("UMFPACK best", measure(*make_umfpack_factorisation(), m));
-  table.add("multifrontal LU best", measure(*make_multifrontal_factorisation(make_umfpack), m));
 }
 
 /// A tangent of the panel across a current of `speed`, out of balance as in an iteration, plus `shift` times

@@ -90,7 +90,7 @@ EXPLAINED = {  # names of constants, fragments of lines
         "(1 - reached)": "Mehrotra's exponent, 3",
     },
     "cost of the machine": {
-        **dict.fromkeys(("kPerEntry", "kPerEntryOfCholesky", "kPerResidual", "kPerMatrix"), "measured by tests/bench/work_model.cpp"),
+        **dict.fromkeys(("kPerEntry", "kPerResidual", "kPerMatrix"), "measured by tests/bench/work_model.cpp"),
         "829.0": "nested dissection of a square grid (George 1973)",
         "31.0": "nested dissection of a square grid (George 1973)",
         "pattern.size / 3.0": "nested dissection of a square grid (George 1973)",

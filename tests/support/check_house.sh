@@ -183,7 +183,7 @@ check_linear_algebra() {
   printf -v exempt '^%s:|' "${numerics_of_io[@]}"
   breach_lines 'linear algebra in io' < <(
     code_of io | grep -vE "${exempt%|}" |
-      grep -E 'factorise\(|[Cc]holesky|\b(cholmod|umfpack)_|__m(128|256|512)|\b_mm(256|512)?_|[<"]Eigen/|factorisation/registers'
+      grep -E 'factorise\(|[Cc]holesky|\b(amd|METIS)_|__m(128|256|512)|\b_mm(256|512)?_|[<"]Eigen/|factorisation/registers'
   )
 }
 

@@ -2,6 +2,7 @@
 """The wheel: made without a network, installed in a virtual environment, tried from an empty folder."""
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -19,6 +20,16 @@ maps = open("/proc/self/maps").read().split()
 print(json.dumps({"figures": {name: float(q).hex() for name, q in r.report.items()}, "file": netloft.__file__,
                   "libraries": [m for m in maps if m.endswith(".so") or ".so." in m]}))
 """
+
+
+# Names in what is under the GPL, or stands in one archive with it: of functions, or of sources that messages name.
+UNDER_THE_GPL = re.compile(rb"cholmod_|umfpack_|CGAL[:_/ ]", re.IGNORECASE)
+OF_SUITESPARSE = [Path("/usr/lib/x86_64-linux-gnu") / name for name in ("libcholmod.so", "libumfpack.so", "libcholmod.a", "libumfpack.a")]
+
+
+def parts_under_the_gpl(content):
+    """Their names in the bytes of a program or library, with what of its symbols is not stripped."""
+    return sorted({name.decode() for name in UNDER_THE_GPL.findall(content)})
 
 
 class TheWheel(unittest.TestCase):
@@ -43,6 +54,21 @@ class TheWheel(unittest.TestCase):
                     self.assertNotIn(str(folder).encode() + b"/", content, name)
         self.assertIn("netloft/lib/netloft/rope.so", names)
         self.assertIn("netloft/share/netloft/gear-library/catalogue/twines.toml", names)
+
+    def test_has_no_part_under_the_gpl(self):
+        with zipfile.ZipFile(self.wheel) as archive:
+            programs = {name: archive.read(name) for name in archive.namelist() if ".so" in name}
+            self.assertIn("Neither contains a part under the GPL", archive.read(next(n for n in archive.namelist() if n.endswith("/METADATA"))).decode())
+        self.assertGreater(len(programs), 20)
+        programs |= {str(path): path.read_bytes() for path in (BUILD / "python").rglob("*.so")}  # not stripped: hidden symbols, too
+        programs["netloft"] = (BUILD / "bin/netloft").read_bytes()
+        self.assertEqual({name: found for name, content in programs.items() if (found := parts_under_the_gpl(content))}, {})
+
+    @unittest.skipUnless(any(path.exists() for path in OF_SUITESPARSE), "there is no CHOLMOD to find")
+    def test_would_find_parts_under_the_gpl(self):
+        for path in OF_SUITESPARSE:
+            if path.exists():
+                self.assertTrue(parts_under_the_gpl(path.read_bytes()), path)
 
     def test_works_in_an_environment_of_its_own(self):
         place = Path(self.folder.name) / "environment"

@@ -69,7 +69,7 @@ TEST(WorkModel, FollowsFromTheFactorAndTheElements) {
   ASSERT_EQ(a.assembler.families().size(), 1u);
   ASSERT_EQ(a.assembler.families()[0]->active_terms().size(), 1u);
   const WorkModel model = make_work_model(a.assembler, sized(1000, 100, analyses));
-  EXPECT_EQ(model.factorisation, 1000 + 250 * 100);
+  EXPECT_EQ(model.factorisation, 1000 + 20 * 100);
   EXPECT_EQ(model.solution, 20 * 100);
   EXPECT_EQ(model.residual, 4 * 3 * 36);
   EXPECT_EQ(model.matrix, 12 * 3 * 36);

@@ -7,18 +7,15 @@
 #include <limits>
 #include <ostream>
 
-#include "solvers/factorisation/cholmod.hpp"
 #include "solvers/factorisation/lower_triangle.hpp"
 #include "solvers/factorisation/multifrontal.hpp"
 #include "solvers/factorisation/mumps.hpp"
-#include "solvers/factorisation/umfpack.hpp"
 #include "tests/unit/solvers/factorisation/solving.hpp"
 
 namespace netloft {
 namespace {
 
-constexpr OrderingMethod kOrderings[] = {OrderingMethod::amd, OrderingMethod::metis,
-                                         OrderingMethod::dissection, OrderingMethod::best};
+constexpr OrderingMethod kOrderings[] = {OrderingMethod::amd, OrderingMethod::metis, OrderingMethod::best};
 
 using Rows = std::vector<std::vector<double>>;
 
@@ -31,11 +28,14 @@ struct Tested {
 
 void PrintTo(const Tested& tested, std::ostream* out) { *out << tested.name; }
 
-std::unique_ptr<Factorisation> make_multifrontal_with_umfpack(OrderingMethod method) {
-  return make_multifrontal_factorisation([] { return make_umfpack_factorisation(); }, method);
+std::unique_ptr<Factorisation> make_multifrontal(OrderingMethod method) {
+  return make_multifrontal_factorisation(nullptr, method);
 }
-std::unique_ptr<Factorisation> make_umfpack_of_lower_triangle(OrderingMethod method) {
-  return make_factorisation_of_lower_triangle(make_umfpack_factorisation(method));
+std::unique_ptr<Factorisation> make_multifrontal_of_lower_triangle(OrderingMethod method) {
+  return make_factorisation_of_lower_triangle(make_multifrontal(method));
+}
+std::unique_ptr<Factorisation> make_definite(OrderingMethod method) {
+  return make_definite_factorisation(method);
 }
 std::unique_ptr<Factorisation> make_symmetric_mumps(OrderingMethod method) {
   return make_mumps_factorisation(MatrixClass::symmetric, method);
@@ -44,18 +44,12 @@ std::unique_ptr<Factorisation> make_unsymmetric_mumps(OrderingMethod method) {
   return make_mumps_factorisation(MatrixClass::unsymmetric, method);
 }
 
-std::unique_ptr<Factorisation> make_wide_cholmod(OrderingMethod method) {
-  return make_cholmod_factorisation_of(IndexWidth::of_64_bits, method);
-}
-
 std::vector<Tested> all_factorisations() {
-  return {{"Cholmod", MatrixClass::positive_definite, make_cholmod_factorisation},
-          {"CholmodOf64Bits", MatrixClass::positive_definite, make_wide_cholmod},
+  return {{"Definite", MatrixClass::positive_definite, make_definite},
           {"MumpsSymmetric", MatrixClass::symmetric, make_symmetric_mumps, has_mumps()},
           {"MumpsUnsymmetric", MatrixClass::unsymmetric, make_unsymmetric_mumps, has_mumps()},
-          {"Multifrontal", MatrixClass::unsymmetric, make_multifrontal_with_umfpack},
-          {"Umfpack", MatrixClass::unsymmetric, make_umfpack_factorisation},
-          {"UmfpackOfLowerTriangle", MatrixClass::symmetric, make_umfpack_of_lower_triangle}};
+          {"Multifrontal", MatrixClass::unsymmetric, make_multifrontal},
+          {"MultifrontalOfLowerTriangle", MatrixClass::symmetric, make_multifrontal_of_lower_triangle}};
 }
 
 class EveryFactorisation : public testing::TestWithParam<Tested> {

@@ -49,6 +49,8 @@ struct DenseFront {
   }
 };
 
+constexpr PivotRule kLargePivots{.least = 1e-8, .positive = false};
+
 // Pivots and others near the widths of tiles and blocks, and more pivots than one block has.
 const std::vector<std::pair<int, int>> kSizes{{1, 0},  {1, 1},   {3, 5},  {7, 8},   {8, 9},
                                               {9, 17}, {12, 40}, {17, 3}, {33, 31}, {70, 50}};
@@ -58,7 +60,7 @@ TEST(FrontKernels, LeaveTheSchurComplement) {
     for (const auto& [n, u] : kSizes) {
       DenseFront front{n, u};
       front.fill();
-      ASSERT_EQ(kernels.eliminate(front.panels(), 0, front.exchanged.data()).stopped_at, -1);
+      ASSERT_EQ(kernels.eliminate(front.panels(), {}, front.exchanged.data()).stopped_at, -1);
       kernels.update(front.panels(), front.update.data());
       const Matrix expected = front.schur_complement();
       EXPECT_LE((front.update_matrix() - expected).norm(), 1e-10 * expected.norm()) << n << " " << u;
@@ -70,7 +72,7 @@ TEST(FrontKernels, SolveTheirPartOfTheEquations) {
     for (const auto& [n, u] : kSizes) {
       DenseFront front{n, u};
       front.fill();
-      ASSERT_EQ(kernels.eliminate(front.panels(), 0, front.exchanged.data()).stopped_at, -1);
+      ASSERT_EQ(kernels.eliminate(front.panels(), {}, front.exchanged.data()).stopped_at, -1);
       const Matrix x = made_up(n + u, 1, 3), b = front.A * x;  // b₂ = A₂₁ x₁
       std::vector<double> y(static_cast<std::size_t>(n + u + kTileRows), 0);
       std::copy_n(b.data(), n + u, y.begin());
@@ -93,11 +95,11 @@ TEST(FrontKernels, ExchangeRowsOnlyWhereThePivotIsSmallBesideWhatIsBelow) {
       front.A.topLeftCorner(12, 12).setIdentity();
       front.A(11, k) = 9;
       front.fill();
-      ASSERT_EQ(kernels.eliminate(front.panels(), 0, front.exchanged.data()).stopped_at, -1);
+      ASSERT_EQ(kernels.eliminate(front.panels(), {}, front.exchanged.data()).stopped_at, -1);
       EXPECT_EQ(front.exchanged[static_cast<std::size_t>(k)], k);
       front.A(11, k) = 11;
       front.fill();
-      ASSERT_EQ(kernels.eliminate(front.panels(), 0, front.exchanged.data()).stopped_at, -1);
+      ASSERT_EQ(kernels.eliminate(front.panels(), {}, front.exchanged.data()).stopped_at, -1);
       EXPECT_EQ(front.exchanged[static_cast<std::size_t>(k)], 11);
     }
 }
@@ -107,10 +109,29 @@ TEST(FrontKernels, StopAtAPivotThatIsSmallBesideWhatIsBelow) {
     DenseFront front{12, 20};
     front.A.block(0, 9, 12, 1).setZero();
     front.fill();
-    const Elimination e = kernels.eliminate(front.panels(), 1e-8, front.exchanged.data());
+    const Elimination e = kernels.eliminate(front.panels(), kLargePivots, front.exchanged.data());
     EXPECT_EQ(e.stopped_at, 9);
     EXPECT_FALSE(e.column_is_zero);
   }
+}
+
+TEST(FrontKernels, TakePositivePivotsFromTheDiagonalAlone) {
+  constexpr PivotRule kPositive{.least = 0, .positive = true};
+  for (const FrontKernels& kernels : front_kernels_here())
+    for (const int k : {0, 5, 9}) {
+      DenseFront front{12, 20};
+      front.A.topLeftCorner(12, 12).setIdentity();
+      front.A(11, k) = front.A(k, 11) = 11;  // the pivot of 11 becomes 1 - 121
+      front.fill();
+      EXPECT_EQ(kernels.eliminate(front.panels(), kPositive, front.exchanged.data()).stopped_at, 11);
+      front.A(11, 11) = 122;
+      front.fill();
+      ASSERT_EQ(kernels.eliminate(front.panels(), kPositive, front.exchanged.data()).stopped_at, -1);
+      EXPECT_EQ(front.exchanged[static_cast<std::size_t>(k)], k);
+      front.A(k, k) = 0;
+      front.fill();
+      EXPECT_EQ(kernels.eliminate(front.panels(), kPositive, front.exchanged.data()).stopped_at, k);
+    }
 }
 
 TEST(FrontKernels, StopAtAColumnOfZeros) {
@@ -118,7 +139,7 @@ TEST(FrontKernels, StopAtAColumnOfZeros) {
     DenseFront front{12, 20};
     front.A.col(9).setZero();
     front.fill();
-    const Elimination e = kernels.eliminate(front.panels(), 1e-8, front.exchanged.data());
+    const Elimination e = kernels.eliminate(front.panels(), kLargePivots, front.exchanged.data());
     EXPECT_EQ(e.stopped_at, 9);
     EXPECT_TRUE(e.column_is_zero);
   }

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solvers/factorisation/memory_pool.hpp"
 
-#include <SuiteSparse_config.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <cstring>
+
+// As MUMPS calls them; see cmake/FindMumpsSeq.cmake.
+extern "C" {
+void* netloft_mumps_malloc(std::size_t bytes);
+void* netloft_mumps_calloc(std::size_t count, std::size_t size);
+void netloft_mumps_free(void* block);
+}
 
 namespace netloft {
 namespace {
@@ -77,16 +83,16 @@ TEST(MemoryPool, RefusesMoreThanThereCanBe) {
   EXPECT_EQ(pool.take(~std::size_t{0}), nullptr);
 }
 
-TEST(MemoryPoolScope, CatchesWhatSuiteSparseFreesAndOnlyInside) {
+TEST(MemoryPoolScope, CatchesWhatMumpsFreesAndOnlyInside) {
   MemoryPool pool;
   {
     const MemoryPoolScope scope(pool);
-    SuiteSparse_free(SuiteSparse_malloc(1000, 1));
+    netloft_mumps_free(netloft_mumps_malloc(1000));
     EXPECT_GE(pool.kept_bytes(), 1000u);
-    SuiteSparse_free(SuiteSparse_calloc(10, 200));
+    netloft_mumps_free(netloft_mumps_calloc(10, 200));
   }
   const std::size_t kept = pool.kept_bytes();
-  SuiteSparse_free(SuiteSparse_malloc(5000, 1));
+  netloft_mumps_free(netloft_mumps_malloc(5000));
   EXPECT_EQ(pool.kept_bytes(), kept);
 }
 
@@ -94,7 +100,7 @@ TEST(MemoryPoolScope, GoesBackToTheOuterPool) {
   MemoryPool outer, inner;
   const MemoryPoolScope outer_scope(outer);
   { const MemoryPoolScope inner_scope(inner); }
-  SuiteSparse_free(SuiteSparse_malloc(1000, 1));
+  netloft_mumps_free(netloft_mumps_malloc(1000));
   EXPECT_GE(outer.kept_bytes(), 1000u);
   EXPECT_EQ(inner.kept_bytes(), 0u);
 }

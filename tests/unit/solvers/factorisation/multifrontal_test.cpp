@@ -4,30 +4,41 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <Eigen/SparseLU>
 #include <random>
 
 #include "solvers/factorisation/foreseen_memory.hpp"
-#include "solvers/factorisation/umfpack.hpp"
 #include "tests/unit/solvers/factorisation/solving.hpp"
 
 namespace netloft {
 namespace {
 
-/// UMFPACK as the spare factorisation, which counts how often it is used.
+/// Eigen's L U as the spare factorisation, which counts how often it is used.
 class Spare final : public Factorisation {
  public:
   explicit Spare(int& asked) : asked_(asked) {}
-  std::string description() const override { return inner_->description(); }
-  void analyse(const SparsePattern& pattern) override { inner_->analyse(pattern); }
+  std::string description() const override { return "SparseLU"; }
+  void analyse(const SparsePattern& pattern) override { pattern_ = &pattern; }
   FactorResult factorise(std::span<const double> values) override {
     ++asked_;
-    return inner_->factorise(values);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::int32_t c = 0; c < pattern_->size; ++c)
+      for (std::int32_t e = pattern_->column_start[c]; e < pattern_->column_start[c + 1]; ++e)
+        entries.emplace_back(pattern_->row[e], c, values[e]);
+    Eigen::SparseMatrix<double> matrix(pattern_->size, pattern_->size);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    factors_.compute(matrix);
+    return {factors_.info() == Eigen::Success ? FactorStatus::ok : FactorStatus::singular};
   }
-  void solve(std::span<const double> rhs, std::span<double> x) override { inner_->solve(rhs, x); }
+  void solve(std::span<const double> rhs, std::span<double> x) override {
+    const Eigen::VectorXd b = Eigen::Map<const Eigen::VectorXd>(rhs.data(), pattern_->size);
+    Eigen::Map<Eigen::VectorXd>(x.data(), pattern_->size) = factors_.solve(b);
+  }
 
  private:
   int& asked_;
-  std::unique_ptr<Factorisation> inner_ = make_umfpack_factorisation();
+  const SparsePattern* pattern_ = nullptr;
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> factors_;
 };
 
 class Multifrontal : public testing::Test {

@@ -74,10 +74,8 @@ TEST(NodeGraph, OfNothingIsEmpty) {
 TEST(NodeOrdering, EliminatesEveryUnknownOnceByEachMethod) {
   const TestMatrix net =
       make_net_matrix({.is_fixed = [](int node, int axis) { return (node + axis) % 4 == 0; }});
-  for (const OrderingMethod method :
-       {OrderingMethod::amd, OrderingMethod::metis, OrderingMethod::dissection, OrderingMethod::best}) {
+  for (const OrderingMethod method : {OrderingMethod::amd, OrderingMethod::metis, OrderingMethod::best})
     EXPECT_TRUE(is_permutation_of(order_nodes(net.pattern, method).unknown, net.pattern.size));
-  }
 }
 
 TEST(NodeOrdering, KeepsTheUnknownsOfANodeTogether) {
@@ -99,15 +97,16 @@ TEST(NodeOrdering, TakesTheMethodWithFewerOperations) {
 
 TEST(NodeOrdering, TriesMetisOnlyWhereItIsWorthIt) {
   const TestMatrix net = make_net_matrix({.rings = 100, .nodes_per_ring = 100});
-  const NodeOrdering tried = order_nodes(net.pattern, OrderingMethod::best, {.nodes = 10'000});
+  const NodeOrdering tried = order_nodes(net.pattern, OrderingMethod::best, 10'000);
   EXPECT_EQ(tried.method, "METIS");
   EXPECT_LT(tried.flops, order_nodes(net.pattern, OrderingMethod::amd).flops);
-  EXPECT_EQ(order_nodes(net.pattern, OrderingMethod::best, {.nodes = 10'001}).method, "AMD");
+  EXPECT_EQ(order_nodes(net.pattern, OrderingMethod::best, 10'001).method, "AMD");
 }
 
 TEST(NodeOrdering, ManagesNodesThatTouchNoOther) {
   const SparsePattern loose{3, {0, 1, 2, 3}, {0, 1, 2}, {0, 1, 2}, true, {}, 0};
-  EXPECT_TRUE(is_permutation_of(order_nodes(loose).unknown, 3));
+  for (const OrderingMethod method : {OrderingMethod::amd, OrderingMethod::metis})
+    EXPECT_TRUE(is_permutation_of(order_nodes(loose, method).unknown, 3));
 }
 
 TEST(FiniteValues, NamesTheColumnOfTheFirstThatIsNot) {
