@@ -4,6 +4,7 @@
 #include "framework/assembler/reports.hpp"
 #include "io/formats/work/interruptible_work.hpp"
 #include "io/program/session/session.hpp"
+#include "io/python/module/python_plugin.hpp"
 #include "io/results/file/provenance.hpp"
 #include "io/results/text/plan_text.hpp"
 #include "io/runs/equilibrium.hpp"
@@ -57,6 +58,7 @@ Answer::Answer(const OpenedScene& source, const SolveRequest& request, const std
   if (const auto why_not = runs::why_unfit(*scene_)) throw std::invalid_argument(*why_not);
   solution_ =
       solve_from(*scene_, request.start, {.interrupt = &interrupt, .on_iteration = request.on_iteration});
+  raised_ = take_error();
   result_ = results::make_result(scene_->loaded(), scene_->assembler(), solution_);
   result_.reading_seconds = scene_->seconds().reading;
   result_.setup_seconds = scene_->seconds().setup;

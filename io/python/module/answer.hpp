@@ -5,6 +5,7 @@
 #include "io/results/file/write_result.hpp"
 #include "io/studies/sensitivity/sensitivity.hpp"
 
+#include <exception>
 #include <functional>
 #include <map>
 #include <optional>
@@ -53,6 +54,8 @@ class Answer {
   /// Positions of the nodes, 3 per node [m].
   const std::vector<double>& points() const { return points_; }
   const std::vector<PartElements>& elements() const { return elements_; }
+  /// The last exception of the solver or the strategy in Python; nullptr: none.
+  const std::exception_ptr& raised() const { return raised_; }
 
   /// The residual over the unknowns at displacements u [N]. Throws std::invalid_argument if forces are not
   /// defined there, or if u has another length.
@@ -75,6 +78,7 @@ class Answer {
   std::vector<double> points_;
   std::vector<PartElements> elements_;
   std::string started_;
+  std::exception_ptr raised_;
   std::vector<std::string> command_;  // the command line that solves the same scene
 };
 

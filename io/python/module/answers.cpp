@@ -72,12 +72,26 @@ py::array residual_at(Answer& answer, const std::vector<double>& u) {
   return copy_of(residual);
 }
 
+/// The exception of the solver or strategy in Python; None: there was none, or it is of C++ and the reason
+/// names it.
+py::object raised_by(const Answer& answer) {
+  try {
+    if (answer.raised()) std::rethrow_exception(answer.raised());
+  } catch (py::error_already_set& e) {
+    return e.value();
+  } catch (const std::exception&) {
+    return py::none();
+  }
+  return py::none();
+}
+
 }  // namespace
 
 void bind_answers(py::module_& module) {
   py::class_<Answer, AnswerPointer> answers(module, "Answer");
   answers.def_property_readonly("points", &points_of)
       .def_property_readonly("u", &displacements_of)
+      .def_property_readonly("raised", &raised_by)
       .def("elements", &elements_of)
       .def("residual", &residual_at, py::arg("u"))
       .def("tangent", &tangent_of)

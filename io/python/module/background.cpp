@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/python/module/background.hpp"
 
+#include "io/python/module/opened_scene.hpp"
+#include "io/python/module/python_plugin.hpp"
+
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -15,16 +18,26 @@ namespace {
 // Python handles a signal only if somebody asks. An answer within 0.2 s needs a question every tenth.
 constexpr std::chrono::milliseconds kBetweenQuestions{50};
 
+/// Drops what a component in Python raised in this thread, and nobody asked for.
+void forget_error() {
+  std::exception_ptr error = take_error();
+  if (!error) return;
+  const py::gil_scoped_acquire interpreter;  // which exceptions of Python need at their end
+  error = nullptr;
+}
+
 /// A thread that works once.
 class Worker {
  public:
   explicit Worker(const std::function<void(std::atomic<bool>&)>& work)
-      : thread_([this, &work] {
+      : thread_([this, &work, may_read = ReadingLock::is_held_here()] {
+          const LentReading lent(may_read);
           try {
             work(interrupt_);
           } catch (...) {
             fault_ = std::current_exception();
           }
+          forget_error();
           const std::lock_guard lock(mutex_);
           is_done_ = true;
           done_.notify_one();

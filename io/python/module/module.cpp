@@ -9,7 +9,6 @@
 #include "io/python/module/objects.hpp"
 #include "io/python/module/opened_scene.hpp"
 #include "io/python/module/python_element.hpp"
-#include "io/python/module/python_plugin.hpp"
 #include "io/python/module/python_solver.hpp"
 #include "io/results/file/provenance.hpp"
 
@@ -68,15 +67,6 @@ PYBIND11_MODULE(_netloft, module) {
   module.def("add_plugins", [](const std::string& folder) {
     const ReadingLock lock;
     registry().add_folder(folder);
-  });
-  module.def("take_error", []() -> py::object {
-    try {
-      if (const auto error = take_error()) std::rethrow_exception(error);
-    } catch (py::error_already_set& e) {
-      return e.value();
-    } catch (...) {  // of C++: its sentence is in the reason
-    }
-    return py::none();
   });
   module.def("in_unit", &in_unit, py::arg("text"), py::arg("unit"));
   module.def("installed_folder", [] { return formats::installed_folder().string(); });

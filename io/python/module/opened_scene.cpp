@@ -20,18 +20,31 @@ std::mutex& reading() {
   return mutex;
 }
 
+thread_local bool may_read = false;
+
 }  // namespace
 
-ReadingLock::ReadingLock() {
+ReadingLock::ReadingLock() : is_first_(!may_read) {
+  if (!is_first_) return;
   if (PyGILState_Check()) {
     const pybind11::gil_scoped_release others_may_run;
     reading().lock();
   } else {
     reading().lock();
   }
+  may_read = true;
 }
 
-ReadingLock::~ReadingLock() { reading().unlock(); }
+ReadingLock::~ReadingLock() {
+  if (!is_first_) return;
+  may_read = false;
+  reading().unlock();
+}
+
+bool ReadingLock::is_held_here() { return may_read; }
+
+LentReading::LentReading(bool is_held_there) { may_read = is_held_there; }
+LentReading::~LentReading() { may_read = false; }
 
 WrongScene::WrongScene(const formats::Diagnostics& all, bool is_refused)
     : std::runtime_error(all.render(false)), diagnostics(all), refused(is_refused) {}

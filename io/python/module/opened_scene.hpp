@@ -15,12 +15,31 @@ Registry& registry();
 
 /// Held while scenes are read: the registry, and the data that changed scenes share, serve one thread only. A
 /// thread that has the lock of the interpreter gives it back while it waits, because the reader may want it.
+///
+/// A thread that holds the lock may ask for it again, and so may one for which it waits (LentReading): a
+/// search holds it while a solver in Python, which it calls, opens scenes.
 class ReadingLock {
  public:
   ReadingLock();
   ~ReadingLock();
   ReadingLock(const ReadingLock&) = delete;
   ReadingLock& operator=(const ReadingLock&) = delete;
+
+  /// Whether this thread may read without waiting.
+  static bool is_held_here();
+
+ private:
+  bool is_first_;
+};
+
+/// While this object lives, this thread has what the thread that started it, and waits for it, had of the
+/// lock.
+class LentReading {
+ public:
+  explicit LentReading(bool is_held_there);
+  ~LentReading();
+  LentReading(const LentReading&) = delete;
+  LentReading& operator=(const LentReading&) = delete;
 };
 
 /// A scene that cannot be solved as it is, with the messages about it.

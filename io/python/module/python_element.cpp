@@ -25,6 +25,7 @@ using Rows = std::vector<std::vector<double>>;  // [row][element]
 /// All elements of one type in a scene.
 struct PythonElements {
   PythonPlugin* plugin = nullptr;
+  const py::function* call = nullptr;  // that of the plugin when the scene was prepared
   Rows parameters, data;
 };
 
@@ -33,6 +34,7 @@ int create_elements(netloft_create* in, void** self) {
   auto elements = std::make_unique<PythonElements>();
   elements->plugin = &plugin_of(in->parameters[0]);
   const PythonPlugin& plugin = *elements->plugin;
+  elements->call = &plugin.calls.back();
   for (std::size_t p = 0; p < plugin.parameters.size(); ++p) {
     auto& row = elements->parameters.emplace_back();
     for (std::uint32_t e = 0; e < in->count; ++e)
@@ -102,9 +104,9 @@ int evaluate_elements(const void* self, netloft_tile* tile) {
   const std::uint32_t dofs = 3 * (elements.plugin->element.stencil & 0xff);
   const py::gil_scoped_acquire interpreter;
   try {
-    const py::tuple found = elements.plugin->call(
-        coordinates(*tile, dofs), columns(elements.parameters, tile->first, tile->count),
-        columns(elements.data, tile->first, tile->count), tile->tangent != nullptr);
+    const py::tuple found =
+        (*elements.call)(coordinates(*tile, dofs), columns(elements.parameters, tile->first, tile->count),
+                         columns(elements.data, tile->first, tile->count), tile->tangent != nullptr);
     return add_results(found, dofs, *tile);
   } catch (const std::exception& e) {
     if (tile->message) std::snprintf(tile->message, tile->message_size, "%s", e.what());

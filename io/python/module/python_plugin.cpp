@@ -65,19 +65,42 @@ void describe_plugin(PythonPlugin& p) {
   p.plugin.extension = &last_offer;
 }
 
+PythonPlugin* find_python_plugin(const std::string& name) {
+  const auto found = std::ranges::find(python_plugins(), name, &PythonPlugin::name);
+  return found == python_plugins().end() ? nullptr : &*found;
+}
+
+std::vector<RealParameter> without_sentences(std::vector<RealParameter> parameters) {
+  for (RealParameter& p : parameters) p.doc.clear();
+  return parameters;
+}
+
+/// Plugins are never unloaded, and scenes were checked against their descriptions.
+void require_same(const PythonPlugin& old, const PythonPlugin& like) {
+  const auto refuse = [&](const std::string& what) {
+    throw PluginRefused("\"" + old.name + "\" is " + what +
+                        " in this process already; give the new one another name, or restart Python");
+  };
+  if (old.solvers.count != like.solvers.count || old.strategies.count != like.strategies.count ||
+      (old.element.stencil == 0) != (like.element.stencil == 0))
+    refuse("a component of another kind");
+  if (old.element.stencil != like.element.stencil || old.term.traits != like.term.traits ||
+      old.data != like.data || without_sentences(old.parameters) != without_sentences(like.parameters))
+    refuse("an element with other nodes, parameters or data");
+}
+
 }  // namespace
 
 void add_python_plugin(const std::string& name, const std::string& doc, py::function call,
                        std::vector<RealParameter> parameters,
                        const std::function<void(PythonPlugin&)>& describe) {
   const ReadingLock lock;
-  for (PythonPlugin& old : python_plugins()) {
-    if (old.name != name) continue;
+  if (PythonPlugin* old = find_python_plugin(name)) {
     PythonPlugin like;
+    like.parameters = std::move(parameters);
     describe(like);
-    if (old.element.stencil != 0 || like.element.stencil != 0 || old.solvers.count != like.solvers.count)
-      break;
-    old.call = std::move(call);
+    require_same(*old, like);
+    old->calls.push_back(std::move(call));
     return;
   }
   if (std::ranges::count(registry().available(), name))
@@ -85,7 +108,7 @@ void add_python_plugin(const std::string& name, const std::string& doc, py::func
   PythonPlugin& plugin = python_plugins().emplace_back();
   plugin.name = name;
   plugin.doc = doc;
-  plugin.call = std::move(call);
+  plugin.calls.push_back(std::move(call));
   plugin.parameters = std::move(parameters);
   plugin.rows.push_back(number_row(static_cast<double>(python_plugins().size() - 1)));
   for (const RealParameter& p : plugin.parameters) plugin.rows.push_back(real_row(p, plugin.rows.size()));
@@ -103,16 +126,13 @@ void add_python_plugin(const std::string& name, const std::string& doc, py::func
 
 namespace {
 
-std::exception_ptr& last_error() {
-  static auto& error = *new std::exception_ptr;
-  return error;
-}
+thread_local std::exception_ptr error_of_this_thread;
 
 }  // namespace
 
-void keep_error(std::exception_ptr error) { last_error() = std::move(error); }
+void keep_error(std::exception_ptr error) { error_of_this_thread = std::move(error); }
 
-std::exception_ptr take_error() { return std::exchange(last_error(), nullptr); }
+std::exception_ptr take_error() { return std::exchange(error_of_this_thread, nullptr); }
 
 PythonPlugin& plugin_of(const void* parameters) {
   std::int64_t number = 0;

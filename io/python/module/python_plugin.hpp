@@ -6,6 +6,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <deque>
 #include <exception>
 #include <functional>
 #include <string>
@@ -18,6 +19,7 @@ struct RealParameter {
   std::string name, unit, doc;
   double fallback = 0, lo = 0, hi = 0;
   bool is_required = false;
+  bool operator==(const RealParameter&) const = default;
 };
 
 /// A plugin with one solver, strategy or element that is a callable of Python. It lives as long as the
@@ -25,7 +27,7 @@ struct RealParameter {
 /// functions of the plugin interface are the same for all; further ones are real.
 struct PythonPlugin {
   std::string name, doc;
-  pybind11::function call;
+  std::deque<pybind11::function> calls;  // the callable, after those that had its place before
   std::vector<RealParameter> parameters;
   std::vector<std::string> data;  // names of the data of an element
 
@@ -43,14 +45,14 @@ struct PythonPlugin {
 };
 
 /// Makes a plugin and opens it. `describe` describes its component. If a callable of Python has that name
-/// already and the same kind of component, the new one takes its place. Throws PluginRefused if another
-/// plugin has that name, or if the description is wrong.
+/// already and the same description, but for sentences, the new one takes its place in scenes that are solved
+/// from then on. Throws PluginRefused if another plugin has that name, or if the description is wrong.
 void add_python_plugin(const std::string& name, const std::string& doc, pybind11::function call,
                        std::vector<RealParameter> parameters,
                        const std::function<void(PythonPlugin&)>& describe);
 
-/// Keeps what a component in Python has raised, or takes it away; nullptr: nothing. The caller holds the lock
-/// of the interpreter.
+/// Keeps what a component in Python has raised in this thread, in which its search runs, or takes it away;
+/// nullptr: nothing.
 void keep_error(std::exception_ptr error);
 std::exception_ptr take_error();
 

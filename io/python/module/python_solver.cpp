@@ -101,7 +101,7 @@ int call_solver_in_python(const void* parameters, netloft_problem* problem) {
   auto seen = std::make_shared<PythonProblem>(*problem);
   int outcome = NETLOFT_STOPPED;
   try {
-    plugin_of(parameters).call(seen);
+    plugin_of(parameters).calls.back()(seen);
   } catch (const std::exception& e) {
     keep_error(std::current_exception());
     say(*problem, e.what());

@@ -84,7 +84,7 @@ int call_strategy_in_python(const void* parameters, netloft_search* search) {
   auto seen = std::make_shared<PythonSearch>(*search);
   int status = NETLOFT_OK;
   try {
-    plugin_of(parameters).call(seen);
+    plugin_of(parameters).calls.back()(seen);
   } catch (const std::exception& e) {
     keep_error(std::current_exception());
     if (search->message) std::snprintf(search->message, search->message_size, "%s", e.what());

@@ -89,6 +89,9 @@ def element(nodes: int, parameters: Mapping[str, Parameter], data: Iterable[str]
     complex, because the gradient is found by a complex step: use sums, products, powers, numpy.sqrt and the like, no
     abs(), norm() or conj(), and decide by the real part. It is some hundred times slower than a plugin.
 
+    A later element of the same name, nodes, parameters and data takes the place of this one in scenes that are solved
+    from then on; with others it is Refused, and needs another name.
+
         @netloft.element(nodes=2, parameters={"spring.EA": netloft.Parameter("N", "axial stiffness")}, data=["rest_length"])
         def spring(x, of):
             "An elastic bar"

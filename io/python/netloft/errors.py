@@ -37,7 +37,7 @@ class NotConverged(NetloftError):
         super().__init__(f"{result.status}: {result.reason}" + (f" (at {self.part})" if self.part else ""))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return NetloftError, (str(self),)
+        return type(self), (self.result,)
 
 
 class Interrupted(KeyboardInterrupt):
@@ -46,3 +46,6 @@ class Interrupted(KeyboardInterrupt):
     def __init__(self, result: Any) -> None:
         super().__init__("interrupted" + ("" if result is None else "; .result has the shape so far"))
         self.result = result
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.result,)

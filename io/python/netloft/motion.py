@@ -21,12 +21,17 @@ if TYPE_CHECKING:
 
 
 class Stored(Report):
-    """A result in a file: an equilibrium, or a motion with a state at each of `times` [s]."""
+    """A result in a file: an equilibrium, or a motion with a state at each of `times` [s]. It can be pickled, with all that
+    its file holds."""
 
-    def __init__(self, stored: _netloft.Stored, path: Path | str) -> None:
+    def __init__(self, stored: _netloft.Stored, path: Path | str, content: bytes | None = None) -> None:
         super().__init__(stored)
         self.path = Path(path)
         self.times: Array = stored.times
+        self._content = content  # of a file that is no more
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return stored_from, (self.path.read_bytes() if self._content is None else self._content, self.path)
 
     @property
     def fields(self) -> tuple[str, ...]:
@@ -124,12 +129,20 @@ def read(path: Path | str) -> Stored:
     return Stored(_netloft.Stored(path), path)
 
 
+def stored_from(content: bytes, path: Path) -> Stored:
+    """The result in the bytes of a file that had this path."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "result.hdf"
+        file.write_bytes(content)
+        return Stored(_netloft.Stored(file), path, content)
+
+
 def stored(equilibrium: Equilibrium) -> Stored:
     """An equilibrium as the result that its file would hold."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / (equilibrium.scene.file.stem + ".hdf")
         equilibrium.save(path)
-        return Stored(_netloft.Stored(path), path)
+        return Stored(_netloft.Stored(path), path, path.read_bytes())
 
 
 def simulate(scene: Scene, times: Iterable[float] | None = None, output: Path | str | None = None,
@@ -146,7 +159,7 @@ def simulate(scene: Scene, times: Iterable[float] | None = None, output: Path | 
     with tempfile.TemporaryDirectory() as folder:
         path = Path(output) if output else Path(folder) / (scene.file.stem + ".hdf")
         file, warnings, ended_by = scene._opened.simulate(path, progress)
-        motion = Stored(_netloft.Stored(file), file) if file.is_file() else None
+        motion = Stored(_netloft.Stored(file), file, None if output else file.read_bytes()) if file.is_file() else None
         if motion is not None:
             motion.warnings = (*motion.warnings, *(w for w in warnings if w not in motion.warnings))
         if isinstance(ended_by, KeyboardInterrupt):

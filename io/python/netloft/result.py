@@ -178,6 +178,12 @@ class Equilibrium(Report):
         return xarray.Dataset(data, coords={"axis": ["x", "y", "z"]},
                               attrs={"scene": str(self.scene.file), "changes": list(self.scene.changes), "status": self.status})
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """An Equilibrium is pickled as the Stored that its file would hold, which has no scene to go on with."""
+        from .motion import stored
+
+        return stored(self).__reduce__()
+
     def save(self, path: Path | str) -> None:
         """Writes the result file that `netloft run` writes. An earlier one of that name becomes NAME~."""
         self._answer.write(str(path))

@@ -16,7 +16,6 @@ from .errors import Interrupted, NotConverged
 from .names import Named, unknown
 from .quantity import Quantity
 from .result import Equilibrium
-from .solvers import raised_in_python
 
 if TYPE_CHECKING:
     from .motion import Stored
@@ -178,7 +177,6 @@ class Scene:
         if mesh_of is not None and not isinstance(mesh_of, Equilibrium):
             raise TypeError(f"mesh_of is an Equilibrium of the same gear, not {mesh_of!r}")
         scene = self.by(solver, strategy) if solver or strategy else self
-        raised_in_python()  # forgets those of earlier searches
         points = getattr(start, "points", start)
         points = points() if callable(points) else points
         points = [] if points is None else [float(c) for row in points for c in row]
@@ -189,7 +187,7 @@ class Scene:
             raise ended_by
         result = Equilibrium(scene, answer)
         if raises and result.status != "converged":
-            raise NotConverged(result) from raised_in_python()
+            raise NotConverged(result) from answer.raised
         return result
 
     def simulate(self, times: Iterable[float] | None = None, output: Path | str | None = None,

@@ -92,9 +92,3 @@ def compare(scene: Scene, solvers: Iterable[Callable[[Problem], object] | str], 
             row["distance"] = float(numpy.linalg.norm(result.points - reference.points, axis=1).max())
         table[name] = row
     return table
-
-
-def raised_in_python() -> BaseException | None:
-    """The last exception of a solver or strategy in Python, once."""
-    error: BaseException | None = _netloft.take_error()
-    return error

@@ -2,6 +2,7 @@
 """What an analyst does in a notebook: change, solve, read figures and arrays, differentiate, sweep, keep."""
 import gc
 import os
+import multiprocessing
 import pickle
 import resource
 import signal
@@ -72,7 +73,31 @@ class AScene(unittest.TestCase):
         numpy.testing.assert_array_equal(again.solve().points, RESULT.points)
 
 
+def solved_in_another_process(changes):
+    return GEAR.with_(changes).solve()
+
+
 class AResult(unittest.TestCase):
+    def test_comes_back_from_other_processes_as_its_file(self):
+        with multiprocessing.get_context("spawn").Pool(2) as pool:
+            results = pool.map(solved_in_another_process, [{}, {"tow.speed": "1.6 m/s"}])
+        self.assertEqual([type(r) for r in results], [netloft.Stored] * 2)
+        self.assertEqual({k: float(v) for k, v in results[0].report.items()}, {k: float(v) for k, v in RESULT.report.items()})
+        self.assertNotEqual(results[1].report["mouth/headline_height"], RESULT.report["mouth/headline_height"])
+        numpy.testing.assert_array_equal(results[0].points(), RESULT.points)
+        again = pickle.loads(pickle.dumps(results[0]))  # whose file is gone
+        self.assertEqual(again.page(), results[0].page())
+        other = GEAR.with_({"tow.speed": "1.6 m/s"}).solve(start=again)
+        self.assertAlmostEqual(float(other.report["mouth/headline_height"]), float(results[1].report["mouth/headline_height"]), places=3)
+
+    def test_that_is_none_keeps_its_shape_in_other_processes(self):
+        with self.assertRaises(netloft.NotConverged) as caught:
+            netloft.load("dead-weight-panel.toml").with_({"analysis.max_iterations": 1}).solve(solver="newton")
+        again = pickle.loads(pickle.dumps(caught.exception))
+        self.assertIsInstance(again, netloft.NotConverged)
+        self.assertEqual(str(again), str(caught.exception))
+        numpy.testing.assert_array_equal(again.result.points(), caught.exception.result.points)
+
     def test_has_figures_with_units_and_errors(self):
         height = RESULT.report["mouth/headline_height"]
         self.assertEqual(height.unit, "m")

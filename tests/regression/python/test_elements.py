@@ -90,6 +90,34 @@ class AnEnergy(unittest.TestCase):
         with self.assertRaises(netloft.NotConverged):
             self.solve(type="nothing-is-defined/energy", table="")
 
+    def test_takes_the_place_of_an_earlier_one(self):
+        def define(factor):
+            @netloft.element(nodes=2, data=["rest_length"], from_outside=True, name="edited",
+                             parameters={"edited.weight": netloft.Parameter("N/m", f"{factor} times the weight", default=WEIGHT)})
+            def energy(x, of):
+                """A bar of fixed stiffness"""
+                return cord_energy(x, of.rest_length, factor * of.weight)
+
+        def cord_energy(x, rest_length, weight):
+            chord = x[:, 1] - x[:, 0]
+            length = numpy.sqrt((chord * chord).sum(axis=1))
+            return EA * (length - rest_length) ** 2 / (2 * rest_length) + weight * rest_length * x[:, :, 2].mean(axis=1)
+
+        results = []
+        for factor in (1, 3):
+            define(factor)
+            results.append(self.solve(type="edited/energy", table=""))
+        first, second = (float(r["rope"].energy.sum()) if "energy" in dir(r["rope"]) else r.points[:, 2].min() for r in results)
+        self.assertNotAlmostEqual(first, second, places=3)
+        for r in results:  # each goes on with the energy that it was found with
+            self.assertLess(numpy.abs(r.residual(r.u)).max(), 1e-3)
+
+    def test_with_other_parameters_needs_another_name(self):
+        with self.assertRaisesRegex(netloft.Refused, "other nodes, parameters or data in this process already; give the new one another name"):
+            netloft.element(nodes=2, data=["rest_length"], name="cord", parameters={"cord.EA": netloft.Parameter("N", "stiffness")})(lambda x, of: 0)
+        with self.assertRaisesRegex(netloft.Refused, "a component of another kind"):
+            netloft.solver(lambda problem: None, name="cord")
+
     def test_with_unknown_data_is_refused(self):
         with self.assertRaisesRegex(netloft.Refused, "have no data \"length_at_rest\""):
             netloft.element(nodes=2, parameters={}, data=["length_at_rest"])(lambda x, of: 0)

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Solvers in Python stand beside those of plugins, and are judged by the same host."""
+import faulthandler
+import tempfile
+import threading
 import unittest
+from pathlib import Path
 
 import numpy
 import scipy.optimize
@@ -70,7 +74,7 @@ class ASolverInPython(unittest.TestCase):
     def test_may_be_that_of_scipy(self):
         scene = netloft.load("dead-weight-panel.toml").with_({"parts.net.cells": [4, 4]})
         newton = scene.solve(solver="newton")
-        start = newton.points + 0.01
+        start = newton.points + 0.002  # from farther off, rounding decides whether it converges
         table = netloft.compare(scene, ["newton", krylov_root], start=start)
         self.assertEqual(table["krylov_root"]["status"], "converged", table["krylov_root"]["reason"])
         self.assertLess(table["krylov_root"]["distance"], 1e-5)
@@ -90,6 +94,34 @@ class ASolverInPython(unittest.TestCase):
         with self.assertRaises(netloft.NotConverged) as caught:
             netloft.load("hanging-rope.toml").solve(solver=liar)
         self.assertIsNone(caught.exception.__cause__)
+
+    def test_that_fails_is_the_cause_in_its_own_thread_only(self):
+        together = threading.Barrier(2, timeout=60)
+
+        @netloft.solver
+        def out_of_range(problem):
+            together.wait()
+            raise IndexError("the first thread")
+
+        @netloft.solver
+        def out_of_money(problem):
+            together.wait()
+            raise KeyError("the second thread")
+
+        causes = {}
+
+        def search(solver):
+            try:
+                netloft.load("hanging-rope.toml").solve(solver=solver)
+            except netloft.NotConverged as error:
+                causes[solver.netloft_name] = type(error.__cause__)
+
+        for _ in range(10):
+            causes.clear()
+            threads = [threading.Thread(target=search, args=(solver,)) for solver in (out_of_range, out_of_money)]
+            [thread.start() for thread in threads]
+            [thread.join() for thread in threads]
+            self.assertEqual(causes, {"out_of_range": IndexError, "out_of_money": KeyError})
 
     def test_takes_the_place_of_an_earlier_one(self):
         for words in ("the first", "the second"):
@@ -123,6 +155,48 @@ class ASolverInPython(unittest.TestCase):
     def test_needs_a_name_of_its_own(self):
         with self.assertRaisesRegex(netloft.Refused, "newton"):
             netloft.solver(lambda problem: None, name="newton")
+
+
+@netloft.strategy
+def curious(search):
+    """A strategy that asks another scene, whose parts and answer need the lock of reading"""
+    rope = netloft.load("hanging-rope.toml").with_({"parts.rope.length": "10.5 m"})
+    assert "rope" in rope.parts and rope.solve().status == "converged"
+    stage = search.solve(search.start)
+    if stage["ending"] == "converged":
+        search.answer(stage["u"])
+
+
+class AStrategyThatOpensScenes(unittest.TestCase):
+    def setUp(self):
+        faulthandler.dump_traceback_later(240, exit=True)  # it must not wait for itself
+        self.addCleanup(faulthandler.cancel_dump_traceback_later)
+
+    def test_may_do_so_in_a_solve_and_its_error_of_the_mesh(self):
+        plain = netloft.load("hanging-rope.toml").solve(error=True)
+        result = netloft.load("hanging-rope.toml").solve(strategy=curious, error=True)
+        self.assertAlmostEqual(float(result.report["sag_z"]), float(plain.report["sag_z"]), places=6)
+        self.assertAlmostEqual(result.report["sag_z"].mesh_error, plain.report["sag_z"].mesh_error, places=6)
+
+    def test_may_do_so_in_a_calibration(self):
+        rope = netloft.load("hanging-rope.toml")
+        sag = rope.with_({"parts.rope.length": "10.05 m"}).solve().report["sag_z"]
+        with tempfile.TemporaryDirectory() as folder:
+            scene = rope.by(strategy=curious).save(Path(folder) / "rope.toml")
+            search = Path(folder) / "search.toml"
+            search.write_text(f"""
+                [scenes.rope]
+                scene = "{scene}"
+                [variables.length]
+                key = "parts.rope.length"
+                range = ["9 m", "11 m"]
+                [[measured]]
+                scene = "rope"
+                figure = "results/sag_z"
+                value = "{float(sag)!r} m"
+                deviation = "1 mm"
+                """)
+            self.assertAlmostEqual(float(netloft.calibrate(search).values["length"]), 10.05, places=4)
 
 
 @netloft.strategy
