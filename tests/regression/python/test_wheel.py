@@ -59,6 +59,7 @@ class TheWheel(unittest.TestCase):
         with zipfile.ZipFile(self.wheel) as archive:
             programs = {name: archive.read(name) for name in archive.namelist() if ".so" in name}
             self.assertIn("Neither contains a part under the GPL", archive.read(next(n for n in archive.namelist() if n.endswith("/METADATA"))).decode())
+            self.assertIn("netloft/licences/copyright-of-libmumps-seq-dev", archive.namelist())
         self.assertGreater(len(programs), 20)
         programs |= {str(path): path.read_bytes() for path in (BUILD / "python").rglob("*.so")}  # not stripped: hidden symbols, too
         programs["netloft"] = (BUILD / "bin/netloft").read_bytes()
