@@ -8,8 +8,8 @@
 
 namespace netloft {
 
-/// All elements of a scene, in tiles of 64. Families (all elements of one type each) on the same nodes form a
-/// group and use the same tiles.
+/// All elements of a scene, in tiles of 64 elements. A family contains elements of one type only. Families on
+/// the same nodes form a group and share its tiles.
 struct ElementTiles {
   std::span<const std::unique_ptr<ElementFamily>> families;
   std::vector<FamilyGroup> groups;

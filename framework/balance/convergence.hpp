@@ -31,9 +31,10 @@ inline constexpr double kTolerance = 1e-10;
 /// No gear with an infinite load has converged.
 Convergence convergence_of(const Imbalance& i, double tolerance);
 
-/// Whether an iteration may stop. At round-off, it continues as long as each point has at most half the
-/// residual of the previous one. Rounding errors do not fall like this; such a residual is an imbalance of
-/// soft parts that the rounding errors of stiff parts hide.
+/// Whether an iteration may stop: yes within the tolerance. If only rounding errors seem to be left, it
+/// continues as long as each point has at most half the residual of the point before. Rounding errors do not
+/// fall so steadily. A residual that does is a true imbalance of soft parts, hidden below the rounding errors
+/// of stiff parts.
 bool may_stop(Convergence c, double residual, double residual_before);
 
 /// Whether to accept a residual that no step reduces, because twines alternate between slack and taut. The

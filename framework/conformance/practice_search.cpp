@@ -297,8 +297,8 @@ int PracticeSearch::assess(netloft_stage* stage) {
   return NETLOFT_OK;
 }
 
-/// Gives a problem to a strategy that runs its own method. The work that is left limits the iterations of
-/// this method; each iteration counts as a factorisation.
+/// Hands a problem to a strategy that runs its own method. The budget of the stage, or else the work that
+/// remains, limits the iterations of that method, which count as factorisations on the mesh of the stage.
 int PracticeSearch::problem(netloft_stage* stage, netloft_problem* problem) {
   if (is_refused(*stage)) return fail("the host broke down");
   const double budget = stage->work > 0 ? stage->work : left();

@@ -197,7 +197,7 @@ Finding strategy_has_no_hidden_state(StrategyBench& b) {
 
 using Setting = std::pair<std::string, Value>;
 
-/// Lists both ends of every bounded range, every word of a choice, and both truth values.
+/// Lists settings of parameters: both ends of every bounded range, every word of a choice, both truth values.
 std::vector<Setting> bounds_of(const std::vector<netloft_parameter>& table) {
   std::vector<Setting> all;
   for (const auto& p : table)

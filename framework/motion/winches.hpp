@@ -8,7 +8,7 @@
 
 namespace netloft {
 
-/// State of a winch at an output.
+/// State of a winch at one output time of a motion.
 struct WinchMoment {
   std::string rope;
   double length = 0;   // unstretched length of the rope paid out [m]

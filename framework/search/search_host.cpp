@@ -137,7 +137,7 @@ Solution SearchHost::solve(const netloft_stage& stage, const SolverUse& solver) 
   record({stage.name, solver.type->type, size, s.status, s.reason, s.cost.statistics, stage.variant,
           variant_problem->model.of(s.judging)},
          *variant_problem);
-  // Assessments of points are not stored, because they cost next to nothing.
+  // A request without a solver only assesses a point. It costs next to nothing, so its result is not stored.
   if (solver.type != &no_solver())
     keep_known({.request = std::move(request), .solution = s, .is_cut_off = was_cut_off(s)});
   if (options_.on_stage && !s.u.empty()) {

@@ -62,7 +62,7 @@ inline void mass_of(const Lanes& p, const netloft_tile& t, double* values) {
 }
 
 /// Adds [ A −A; −A A ] to the tangent of a bar, which is a packed lower triangle. `A` is the symmetric
-/// stiffness of each element, six numbers.
+/// stiffness of each bar, six numbers.
 inline void add_blocks(const double (&A)[6][kLanes], std::uint32_t count, double* __restrict tangent) {
   int entry = 0;
   for (int r = 0; r < 6; ++r)

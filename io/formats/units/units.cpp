@@ -116,7 +116,7 @@ struct KnownUnit {
   std::string name;
 };
 
-/// The unit of a text. Scenes read few units many times, so the results are stored.
+/// The unit that a text names. Scenes read few units many times, so the results are stored.
 const KnownUnit& unit_of(std::string_view text) {
   constexpr std::size_t kMostKept = 1000;
   thread_local std::map<std::string, KnownUnit, std::less<>> kept;
@@ -146,7 +146,7 @@ std::vector<std::string> units_like(std::string_view si_unit) {
 }
 
 /// A hint with the candidate that `unit` most likely means. If no candidate is similar, a p between two
-/// letters is read as "per": "kph" as "km/h". Empty if no candidate is similar to that either.
+/// letters is read as "per": "kph" as "km/h". Empty if this does not help either.
 std::string proposal(std::string unit, const std::vector<std::string>& candidates) {
   auto near = nearest(unit, candidates);
   const auto per = unit.find('p', 1);

@@ -4,8 +4,8 @@
 
 namespace netloft::gears {
 
-/// Limits of the work with which proposals are tried, so that a plan of a hundred thousand parts is checked a
-/// few times, and a usual one as often as needed.
+/// How much work may go into trying proposals. Each trial checks the whole plan again, so a plan of a hundred
+/// thousand parts gets only a few trials, and a usual plan as many as it needs.
 struct CureLimits {
   std::size_t most = 400;           // trials for all messages of a plan
   std::size_t least = 5;            // trials of a plan of any size

@@ -82,9 +82,10 @@ std::string accuracy_text(const std::optional<AchievedAccuracy>& a) {
   std::string text = fmt::format("  accuracy of {:.3g} requested", a->asked);
   if (!a->node.empty())
     text += fmt::format(
-        ", an error of {:.3g} allowed for one step; the largest was {:.3g}, at t = {:.4g} s at {}, the sum "
-        "over all steps {:.3g}",
-        a->allowed, a->largest, a->t, a->node, a->sum);
+        ", an error of {:.3g} allowed for each step; the largest error of a step was {:.3g} ({}, t = {:.4g} "
+        "s), "
+        "the errors of all steps add up to {:.3g}",
+        a->allowed, a->largest, a->node, a->t, a->sum);
   return text + fmt::format(" (as fractions of the longest element, {:.3g} m)\n", a->element) + path_text(*a);
 }
 

@@ -51,7 +51,7 @@ void check_depth(double k, double depth, bool is_own, formats::TableReader& wave
   waves.error(is_own ? "depth" : "period",
               "makes waves of " + formats::in_metres(2 * std::numbers::pi / k) + " in " +
                   formats::in_metres(depth) +
-                  " of water, longer than 20 depths: linear waves do not describe them",
+                  " of water, longer than 20 times the depth: linear wave theory does not describe them",
               "a shorter period or deeper water");
 }
 

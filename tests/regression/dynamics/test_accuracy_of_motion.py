@@ -76,7 +76,7 @@ class AccuracyOfMotion(unittest.TestCase):
             for name in ("asked", "allowed", "largest", "sum"):
                 self.assertEqual(f["netloft/accuracy/" + name][()], told[name])
         self.assertRegex(self.ask("snap", "analysis.accuracy=1e-3", text=True),
-                         r"accuracy of 0\.001 requested, an error of 0\.0001 allowed for one step; the largest was [\d.e-]+, at t = [\d.]+ s at rope node \d")
+                         r"accuracy of 0\.001 requested, an error of 0\.0001 allowed for each step; the largest error of a step was [\d.e-]+ \(rope node \d+, t = [\d.]+ s\)")
 
     def test_of_given_steps_is_not_told(self):
         self.assertIsNone(self.ask("snap", "analysis.adaptive=false", "analysis.step=1e-3")["accuracy"])

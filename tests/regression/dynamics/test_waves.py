@@ -52,7 +52,7 @@ WRONG = {
     "height = 1, period = 0": "period",
     "height = 9, period = 6": "breaks",
     "height = 1, period = 6, depth = -5": "depth",
-    "height = 0.01, period = 30, depth = 2": "longer than 20 depths",
+    "height = 0.01, period = 30, depth = 2": "longer than 20 times the depth",
     'height = 1, period = 6, direction = "2 m"': "direction",
     "height = 1, period = 6, ramp = -1": "ramp",
     'height = 1, period = 6, spectrum = "pierson"': "spectrum",
