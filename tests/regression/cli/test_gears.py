@@ -314,7 +314,7 @@ class NamesAndRoles(InFreshFolder):
     def four(self, extent, more="", *words):
         doors = ["door"] if extent == "half" else ["starboard-door", "port-door"]
         holds = ", ".join(f'{{ on = "{door}" }}' for door in doors)
-        self.write("four.toml", f'include = ["{FOUR}"]\nhold = [{holds}]\n[gear]\nextent = "{extent}"\nnodes = 200\n{more}')
+        self.write("four.toml", f'include = ["{FOUR}"]\nhold = [{holds}]\n[gear]\nextent = "{extent}"\nnodes = 300\n{more}')
         return self.netloft("run", "four.toml", "--json", *words)
 
     def test_ends_of_a_rope_across_have_the_same_names_in_half_and_whole(self):
