@@ -34,11 +34,13 @@ const ElementFamily& family_of_part(std::uint32_t part,
 void add_drag_in_flows(const Scene& scene,
                        const std::vector<std::pair<const FamilyPlan*, const ElementFamily*>>& bases,
                        std::vector<std::unique_ptr<ElementFamily>>& families) {
-  for (const auto& [plan, base] : bases)
-    if (std::ranges::any_of(plan->terms,
-                            [&](const TermPlan& t) { return t.on && is_in_changed_water(*plan, t); }))
+  for (const auto& base : bases) {
+    const FamilyPlan& plan = *base.first;
+    const auto is_there = [&](const TermPlan& t) { return t.on && is_in_changed_water(plan, t); };
+    if (std::ranges::any_of(plan.terms, is_there))
       families.push_back(
-          std::make_unique<ElementFamily>(scene, *plan, *base, family_of_part(*plan->flow, families)));
+          std::make_unique<ElementFamily>(scene, plan, *base.second, family_of_part(*plan.flow, families)));
+  }
 }
 
 /// Makes the families (all elements of one type each) that have active terms, in the order of the plan, then
