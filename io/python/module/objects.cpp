@@ -69,7 +69,7 @@ py::list number_list(const std::vector<results::NamedScalar>& numbers) {
 
 py::list scene_number_list(const std::vector<studies::SceneNumber>& numbers) {
   py::list all;
-  for (const auto& n : numbers) all.append(py::make_tuple(n.path, n.value, n.unit));
+  for (const auto& n : numbers) all.append(py::make_tuple(n.path, n.value, n.unit, n.doc));
   return all;
 }
 

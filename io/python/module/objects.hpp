@@ -21,7 +21,7 @@ pybind11::list message_list(const formats::Diagnostics& diagnostics);
 /// Each number as a tuple: name, value, unit, doc, solver_error, mesh_error, least, largest.
 pybind11::list number_list(const std::vector<results::NamedScalar>& numbers);
 
-/// Each number as a tuple: path, value, unit.
+/// Each number as a tuple: path, value, unit, doc.
 pybind11::list scene_number_list(const std::vector<studies::SceneNumber>& numbers);
 
 /// An array that shows `values` without a copy, cannot be written to, and keeps `owner` alive.

@@ -89,6 +89,16 @@ formats::Value OpenedScene::tables() const {
   return tables;
 }
 
+std::map<std::string, formats::NumberWords> OpenedScene::words() const {
+  const ReadingLock lock;
+  formats::CollectedWords collected;
+  formats::Diagnostics diagnostics;
+  bool refused = false;
+  scenes::SceneSource(source_.scene.file()).instance(source_.changes, registry(), diagnostics, refused);
+  if (diagnostics.errors()) throw WrongScene(diagnostics, refused);
+  return std::move(collected.by_path);
+}
+
 formats::Diagnostics OpenedScene::check() const {
   const ReadingLock lock;
   runs::PreparedScene scene(source_, registry());

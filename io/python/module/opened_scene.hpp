@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/formats/toml/number_words.hpp"
 #include "io/runs/prepared_scene.hpp"
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -67,6 +69,9 @@ class OpenedScene {
   std::vector<std::string> command() const;
   /// The tables of the scene with its changes. Throws WrongScene.
   formats::Value tables() const;
+  /// Facts that readers know of the numbers of the scene, by their paths: a new reading, which takes as long
+  /// as the first. Throws WrongScene.
+  std::map<std::string, formats::NumberWords> words() const;
   /// All messages about the scene: those that make it wrong, and warnings.
   formats::Diagnostics check() const;
   /// The scene, ready to be solved, on its own mesh, or on one with the topology of `like`. Throws

@@ -33,6 +33,16 @@ py::list numbers_of_scene(const OpenedScene& scene) {
   }));
 }
 
+/// Facts about the numbers of a scene, by their paths: unit [SI], half a sentence, range.
+py::dict words_of_scene(const OpenedScene& scene) {
+  using Words = std::map<std::string, formats::NumberWords>;
+  py::dict all;
+  for (const auto& [path, known] :
+       in_background<Words>([&](const std::atomic<bool>&) { return scene.words(); }))
+    all[py::str(path)] = py::make_tuple(known.unit, known.doc, known.range.lo, known.range.hi);
+  return all;
+}
+
 std::vector<std::string> part_names(const OpenedScene& scene) {
   return in_background<std::vector<std::string>>([&](const std::atomic<bool>&) {
     std::vector<std::string> names;
@@ -121,6 +131,7 @@ void bind_scenes(py::module_& module) {
       .def("tables", [](const OpenedScene& s) { return value_object(s.tables()); })
       .def("check", [](const OpenedScene& s) { return message_list(s.check()); })
       .def("numbers", &numbers_of_scene)
+      .def("words", &words_of_scene)
       .def("parts", &part_names)
       .def("solve", &solve, py::arg("start"), py::arg("mesh_of"), py::arg("with_mesh_errors"),
            py::arg("progress"))

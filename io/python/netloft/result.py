@@ -18,12 +18,17 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
+    from ._tables import Changes, Outputs
     from .scene import Scene
 
     Array = NDArray[numpy.float64]
     IntArray = NDArray[numpy.uint32]
     Blocks = dict[str, list[tuple[IntArray, dict[str, Any]]]]  # by the kind of cells: nodes, and data of these cells
     Cells = list[tuple[str, IntArray]]
+else:
+
+    class Outputs:
+        """What editors know of the outputs of elements (_tables.pyi)."""
 
 
 def _quantity(number: tuple[Any, ...]) -> tuple[str, Quantity]:
@@ -43,7 +48,7 @@ def joined(blocks: Blocks) -> tuple[Cells, dict[str, list[Array]]]:
     return cells, data
 
 
-class PartResult:
+class PartResult(Outputs):
     """The elements of one part in a result, as arrays that cannot be written to.
 
     `nodes` [element, corner] are rows of Equilibrium.points. Every output of the elements is an attribute, such
@@ -266,17 +271,18 @@ class Equilibrium(Report):
                 table[figure][path] = Quantity(value, per)
         return table[figures] if isinstance(figures, str) else table
 
-    def jvp(self, changes: Mapping[str, float | str]) -> Named[float]:
+    def jvp(self, changes: Changes | Mapping[str, float | str]) -> Named[float]:
         """The change of every figure, to first order, when numbers change. A change may have a unit, "0.1 m/s"; one
         without is in the unit in which the scene states the number."""
         total = dict.fromkeys(self.report, 0.0)
-        index, effects = self._sensitivities(list(changes))
+        given: dict[str, Any] = dict(changes)
+        index, effects = self._sensitivities(list(given))
         for path, _, unit, why_not, slopes, _ in effects:
-            if path not in changes:
+            if path not in given:
                 continue
             if why_not:
                 raise ValueError(f"{path} has no derivatives: {why_not}")
-            change = in_unit(changes[path], unit)
+            change = in_unit(given[path], unit)
             for name, slope in zip(index, slopes):
                 total[name] += float(slope) * change
         return Named("figure", total)

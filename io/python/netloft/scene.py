@@ -18,8 +18,18 @@ from .quantity import Quantity
 from .result import Equilibrium
 
 if TYPE_CHECKING:
+    from ._tables import Changes, Numbers, Tables
     from .motion import Stored
     from .solvers import Problem, Search
+else:
+
+    class Numbers:
+        """What editors know of the numbers of a part (_tables.pyi)."""
+
+    class Tables:
+        """What editors know of the tables of a scene (_tables.pyi)."""
+
+        __slots__ = ()
 
 LIBRARY = Path(_netloft.installed_folder()) / "share" / "netloft" / "gear-library"
 _STEP = re.compile(r'"(?:[^"\\]|\\.)*"|[^."\[\]]+|\[\d+\]')
@@ -49,7 +59,7 @@ def steps_of(path: str) -> list[str]:
     return [step.strip('"') for step in _STEP.findall(path)]
 
 
-class Part(Named[Quantity]):
+class Part(Numbers, Named[Quantity]):
     """The numbers of one part of a scene: gear["headrope"].length, gear["headrope"].rope.density."""
 
     def __init__(self, name: str, values: dict[str, Quantity]) -> None:
@@ -70,14 +80,14 @@ class Part(Named[Quantity]):
         return sorted({re.split(r"[.\[]", path)[0] for path in self._values})
 
 
-class Scene:
+class Scene(Tables):
     """A scene file with changes. It never changes itself: with_() makes another one.
 
     Scenes that come from one file share what was read from it, so that many of them are cheap. They can be
     pickled, which stores the path of the file and the changes, not the text of the file.
     """
 
-    __slots__ = ("_opened", "_numbers", "_parts", "__weakref__")
+    __slots__ = ("_opened", "_numbers", "_parts", "_words", "__weakref__")
 
     def __init__(self, file: Path | str) -> None:
         path = Path(file)
@@ -86,11 +96,11 @@ class Scene:
         self._opened = _netloft.OpenedScene(str(path.resolve()))
         self._numbers: Named[Quantity] | None = None
         self._parts: tuple[str, ...] | None = None
+        self._words: dict[str, tuple[str, str, float, float]] = {}  # known of numbers; shared with scenes made of this one
 
-    @classmethod
-    def _of(cls, opened: _netloft.OpenedScene) -> Scene:
-        scene = object.__new__(cls)
-        scene._opened, scene._numbers, scene._parts = opened, None, None
+    def _of(self, opened: _netloft.OpenedScene) -> Scene:
+        scene = object.__new__(Scene)
+        scene._opened, scene._numbers, scene._parts, scene._words = opened, None, None, self._words
         return scene
 
     @property
@@ -111,9 +121,13 @@ class Scene:
     @property
     def numbers(self) -> Named[Quantity]:
         """All numbers of the scene by their path: those that its tables state, as written, and the parameters
-        of its parts that come from the catalogue, in SI units."""
+        of its parts that come from the catalogue, in SI units. Their `doc` says what they are."""
         if self._numbers is None:
-            self._numbers = Named("number", {path: Quantity(v, unit) for path, v, unit in self._opened.numbers()})
+            rows = self._opened.numbers()
+            if not self._words:
+                self._words.update(self._opened.words())
+            docs = {path: words[1] for path, words in self._words.items()}
+            self._numbers = Named("number", {path: Quantity(v, unit, doc or docs.get(path, "")) for path, v, unit, doc in rows})
         return self._numbers
 
     @property
@@ -123,28 +137,31 @@ class Scene:
             self._parts = tuple(dict.fromkeys(self._opened.parts()))
         return self._parts
 
-    def __getitem__(self, part: str) -> Part:
-        """The numbers of a part."""
-        values: dict[str, Quantity] = {}
-        for path, value in self.numbers.items():
-            steps = steps_of(path)
-            if len(steps) > 2 and steps[1] == part:
-                values.setdefault(path[path.index(part) + len(part) :].lstrip('".'), value)
-        if not values and part not in self.parts:
-            raise KeyError(unknown("part", part, sorted({*self.parts, *(s[1] for s in map(steps_of, self.numbers) if len(s) > 2)})))
-        return Part(part, values)
+    if not TYPE_CHECKING:
+
+        def __getitem__(self, part):
+            """The numbers of a part, such as "headrope", or of a table, such as "tow"."""
+            paths = [(path, steps_of(path)) for path in self.numbers]
+            place = 1 if part in self.parts or any(len(steps) > 2 and steps[1] == part for _, steps in paths) else 0
+            values = {}
+            for path, steps in paths:
+                if len(steps) > place + 1 and steps[place] == part:
+                    values.setdefault(path[path.index(part) + len(part) :].lstrip('".'), self.numbers[path])
+            if not values and part not in self.parts:
+                raise KeyError(unknown("part", part, sorted({*self._ipython_key_completions_(), *(s[1] for _, s in paths if len(s) > 2)})))
+            return Part(part, values)
 
     def _ipython_key_completions_(self) -> list[str]:
-        return list(self.parts)
+        return [*self.parts, *dict.fromkeys(steps[0] for steps in map(steps_of, self.numbers) if len(steps) == 2)]
 
-    def with_(self, changes: Mapping[str, Any] | None = None, **more: Any) -> Scene:
+    def with_(self, changes: Changes | Mapping[str, Any] | None = None, **more: Any) -> Scene:
         """Another scene with other values: with_({"tow.speed": "3 kn", "ropes.headrope.length": 26.0}).
 
         A path is that of `netloft run --set`. A number without a unit is in SI units; a text may have a unit.
         Wrong paths and values are reported by check() and solve().
         """
         texts = [f"{path}={toml(value)}" for path, value in {**(changes or {}), **more}.items()]
-        return Scene._of(self._opened.with_(texts))
+        return self._of(self._opened.with_(texts))
 
     def check(self) -> list[dict[str, Any]]:
         """All messages about the scene, errors and warnings, as a list of dicts (see errors.WrongInput)."""
@@ -157,7 +174,7 @@ class Scene:
         for key, value in (("strategy", strategy), ("solver", solver)):
             if value is not None:
                 opened = opened.by(key, getattr(value, "netloft_name", value))
-        return Scene._of(opened)
+        return self._of(opened)
 
     def solve(self, start: Any = None, mesh_of: Equilibrium | None = None, error: bool = False,
               solver: Callable[[Problem], object] | str | None = None, strategy: Callable[[Search], object] | str | None = None,
@@ -237,7 +254,7 @@ def _as_toml(value: str) -> str:
 
 def _restore(file: str, changes: tuple[str, ...]) -> Scene:
     scene = Scene(file)
-    return Scene._of(scene._opened.with_(list(changes))) if changes else scene
+    return scene._of(scene._opened.with_(list(changes))) if changes else scene
 
 
 def library() -> list[str]:

@@ -36,7 +36,8 @@ class _Found:
         return self._text
 
     def _scene(self, name: str, changes: list[str]) -> Scene:
-        return Scene._of(Scene(self.file.parent / name)._opened.with_(changes))
+        scene = Scene(self.file.parent / name)
+        return scene._of(scene._opened.with_(changes))
 
     def __repr__(self) -> str:
         return self._text

@@ -15,6 +15,7 @@ from .quantity import Quantity
 if TYPE_CHECKING:
     import xarray
 
+    from ._tables import Changes
     from .scene import Scene
 
 Outcome = tuple[str, str, dict[str, Quantity]]  # status, reason, figures
@@ -97,7 +98,7 @@ def points(ranges: Mapping[str, tuple[Any, Any]], draws: Iterable[Iterable[float
     return [dict(zip(scaled, values)) for values in zip(*scaled.values())]
 
 
-def study(scene: Scene, variables: Mapping[str, Iterable[Any]] | Iterable[Mapping[str, Any]], workers: int = 1, error: bool = False,
+def study(scene: Scene, variables: Changes | Mapping[str, Iterable[Any]] | Iterable[Mapping[str, Any]], workers: int = 1, error: bool = False,
           progress: Callable[[int, int], object] | None = None) -> Study:
     """Solves a scene with other values.
 
@@ -112,7 +113,8 @@ def study(scene: Scene, variables: Mapping[str, Iterable[Any]] | Iterable[Mappin
         for path, values in variables.items():
             if isinstance(values, (str, int, float)):
                 raise ValueError(f"{path}: {values!r} is one value; a study wants a list of them")
-        columns = {path: list(values) for path, values in variables.items()}
+        grid: dict[str, Any] = dict(variables)
+        columns = {path: list(values) for path, values in grid.items()}
         design = [dict(zip(columns, values)) for values in itertools.product(*columns.values())]
         dims = {path: len(values) for path, values in columns.items()}
     else:

@@ -77,7 +77,7 @@ void add_reals(const netloft::Values& values, const std::vector<netloft_paramete
     const double* real = at == values.end() ? nullptr : std::get_if<double>(&at->second);
     if (!real || parameter.kind != NETLOFT_REAL) continue;
     const std::string unit = parameter.unit == std::string_view("1") ? "" : parameter.unit;
-    numbers.push_back({path + "." + parameter.name, *real, unit});
+    numbers.push_back({path + "." + parameter.name, *real, unit, {}, 0, parameter.doc});
   }
 }
 

@@ -15,6 +15,7 @@ struct SceneNumber {
   std::string unit;                     // its unit as written, such as "kn"; empty: none
   std::vector<FollowingKey> keys = {};  // keys that follow the number; none: the key is `path`
   double deviation = 0;                 // its standard deviation in its unit; 0: not known
+  std::string doc = {};                 // half a sentence about a parameter of a part; empty: not known
   /// The changes of the scene to another value of this number.
   std::vector<formats::Change> to(double other) const;
 };

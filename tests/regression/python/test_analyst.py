@@ -26,6 +26,10 @@ class AScene(unittest.TestCase):
     def test_shows_its_numbers_by_part(self):
         self.assertEqual(float(GEAR["headrope"].length), 25.3)
         self.assertEqual(GEAR["headrope"].length.unit, "m")
+        self.assertIn("unstretched length", GEAR["headrope"].length.doc)
+        self.assertIn("diameter of one twine", GEAR["top-wing"].twine.diameter.doc)
+        self.assertEqual(float(GEAR["tow"].speed), 3.0)
+        self.assertIn("speed over the ground", GEAR.with_({"tow.speed": "2 kn"})["tow"].speed.doc)
         self.assertEqual(float(GEAR["headrope"].rope.density), 3580)
         self.assertEqual(float(GEAR.numbers["tow.speed"]), 3.0)
         self.assertIn("length", dir(GEAR["headrope"]))
