@@ -16,8 +16,8 @@ namespace netloft {
 
 namespace {
 
-/// Whether a family (all elements of one type) can be left out: its elements, such as bending, only add to
-/// elements of another type, such as bars, and all terms of the family are off.
+/// Whether a family (all elements of one type) can be left out. This is the case if all its terms are off and
+/// its elements, such as bending, only add to elements of another type, such as bars.
 bool is_idle(const Scene& scene, const FamilyPlan& family) {
   return scene.parts[family.parts[0]].companion &&
          std::none_of(family.terms.begin(), family.terms.end(), [](const TermPlan& t) { return t.on; });
@@ -29,8 +29,8 @@ const ElementFamily& family_of_part(std::uint32_t part,
       families, [&](const auto& family) { return std::ranges::count(family->parts(), part) > 0; });
 }
 
-/// Adds a family for the drag of each family that is in the water of a flow. `bases`: the families and their
-/// plans.
+/// Adds a family for the drag of each family that is in water that a flow (ext/flow.h) changes. `bases`:
+/// these families, with their plans.
 void add_drag_in_flows(const Scene& scene,
                        const std::vector<std::pair<const FamilyPlan*, const ElementFamily*>>& bases,
                        std::vector<std::unique_ptr<ElementFamily>>& families) {
@@ -60,7 +60,7 @@ std::vector<std::unique_ptr<ElementFamily>> make_families(const Scene& scene, co
   return families;
 }
 
-/// Returns a scene that has no parts, but all nodes: those of `scene`, one node for the rotation of each
+/// Returns a scene that has all nodes but no parts: the nodes of `scene`, one node for the rotation of each
 /// body, and the nodes of the families' shared unknowns.
 Scene with_global_nodes(const Scene& scene, std::span<const std::unique_ptr<ElementFamily>> families) {
   Scene all;
@@ -103,7 +103,8 @@ struct Assembler::Parts {
 };
 
 /// The families of a scene (all elements of one type each), with all nodes that they use and the layout of
-/// matrix values. `tiles_like`: tiles of other families with the same layout, or nullptr.
+/// matrix values. If `tiles_like` is not nullptr, its tiles are used again: its families have the same
+/// layout.
 struct Assembler::Elements {
   Elements(const Scene& scene, const ScenePlan& plan, const Assembler* like)
       : families(make_families(scene, plan)), nodes(with_global_nodes(scene, families)) {
@@ -181,7 +182,7 @@ std::string Assembler::node_name(const Scene& scene, std::uint32_t node) const {
 
 namespace {
 
-/// The nodes of shared unknowns by type and scene part.
+/// For unknowns that all elements of a scene part share: their node, by type and part.
 std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> shared_nodes(const Assembler& assembler) {
   std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> nodes;
   for (const auto& family : assembler.families())

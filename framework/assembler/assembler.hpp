@@ -18,8 +18,8 @@ class ElementReports;
 /// freedom ("dofs") have the order of `numbering()`. An evaluation allocates no memory.
 class Assembler : public Placement {
  public:
-  /// If the elements of the assembler `like` connect the same nodes, its layout and tiles are taken over,
-  /// which saves half of the time. `like` may then be destroyed.
+  /// If the elements of another assembler, `like`, connect the same nodes, its layout and tiles are used
+  /// again, which saves half of the time. `like` may be destroyed afterwards.
   Assembler(const Scene& scene, const ScenePlan& plan, int threads, const Assembler* like = nullptr);
   ~Assembler();
   Assembler(const Assembler&) = delete;
@@ -42,30 +42,30 @@ class Assembler : public Placement {
   /// The name of the element at fault: "net element 17".
   std::string fault_place(const Scene& scene) const;
   std::string fault_sentence(const Scene& scene) const;
-  /// The name of a node: "net node 17", or "catch front" for shared unknowns of a part.
+  /// The name of a node: "net node 17", or "catch front" for unknowns that the elements of a part share.
   std::string node_name(const Scene& scene, std::uint32_t node) const;
 
-  /// Sets the unknowns that the elements of a part share, in displacements u, to the values that they have at
-  /// x on another mesh `from` of the same gear.
+  /// Sets the unknowns that the elements of a part share, to their values on another mesh `from` of the same
+  /// gear at positions x. The unknowns are entries of the displacements u.
   void take_shared_unknowns(const Assembler& from, std::span<const double> x, std::span<double> u) const;
 
-  /// Makes x the last accepted step: every element stores its memory of it, for instance the point at which
-  /// it sticks to the ground. An evaluation uses these memories and does not change them. The constructor
-  /// stores the memories of the initial positions. Returns false and changes nothing if an element could not
-  /// be evaluated: see fault().
+  /// Accepts the positions x: every element stores what it has to remember of them, for instance the place
+  /// where it sticks to the ground. An evaluation uses these memories and does not change them. The
+  /// constructor stores the memories of the initial positions. Returns false and changes nothing if an
+  /// element could not be evaluated: see fault().
   bool remember(std::span<const double> x, const Kinematics& motion = {});
   /// The memories of all elements in one array, so that a run can save them and a later run restore them.
   std::vector<double> memory() const;
   void set_memory(std::span<const double> kept);
-  /// Updates the rates at which members (twines, ropes) stretch, by (3) of mean_of_members.hpp with ν =
-  /// `memory`, after an accepted step that ends at `time` [s]. The damping of members depends on these rates.
+  /// Updates the rates at which members (twines, ropes) stretch, after an accepted step that ends at `time`
+  /// [s]. The damping of members depends on these rates. See (3) of mean_of_members.hpp, whose ν is `memory`.
   /// Returns false if an element fails to write its members.
   bool remember_stretch(const StepEnds& ends, double memory, double time);
 
-  /// Writes 3 x 3 blocks of the mass matrix, row by row [kg]: first one block per node, along the axes of its
-  /// unknowns, then one per body, which couples its origin and its rotation. `coupled` receives the largest
-  /// entry of the mass matrix that is in none of these blocks. Returns false if an element could not be
-  /// evaluated: see fault().
+  /// Writes 3 x 3 blocks of the mass matrix, row by row [kg]: first a block for each node, along the axes of
+  /// its unknowns, then a block for each body, which couples the origin of the body with its rotation.
+  /// `coupled` receives the largest entry of the mass matrix that is in none of these blocks. Returns false
+  /// if an element could not be evaluated: see fault().
   bool masses(std::span<const double> x, std::span<double> blocks, double& coupled);
   /// Length of `blocks` in masses().
   std::size_t mass_numbers() const { return 3 * numbering_.dofs() + 9 * bodies_.pairs().size(); }

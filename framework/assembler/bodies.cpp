@@ -13,13 +13,13 @@ std::array<std::size_t, 3> places_of(const Numbering& numbering, std::uint32_t n
   return {numbering.dof(node, 0).at(), numbering.dof(node, 1).at(), numbering.dof(node, 2).at()};
 }
 
-/// Three entries of a vector over all dofs, divided by the length `over`.
+/// Returns three entries of a vector over all dofs, divided by the length `over`.
 Vec3<double> read(std::span<const double> x, const std::array<std::size_t, 3>& at, double over = 1) {
   return {x[at[0]] / over, x[at[1]] / over, x[at[2]] / over};
 }
 
-/// Three entries of a vector over all dofs, divided by the length `over`, as dual numbers: the entries are
-/// the variables `first` to `first` + 2 of the derivatives.
+/// Returns three entries of a vector over all dofs, divided by the length `over`, as dual numbers, whose
+/// derivatives are with respect to the variables `first` to `first` + 2.
 template <class T>
 Vec3<T> read_variables(std::span<const double> x, const std::array<std::size_t, 3>& at, double over,
                        int first) {
@@ -89,7 +89,7 @@ Bodies::Bodies(const Scene& scene, const Numbering& numbering, const NodeBlocks&
 }
 
 /// A symmetric matrix stores its lower triangle only. A block below the diagonal therefore also stands for
-/// its transpose, and a block on the diagonal for itself alone.
+/// its transpose, whereas a block on the diagonal stands only for itself.
 void Bodies::add_products(const NodeBlocks& blocks, std::size_t from, std::uint32_t row, std::uint32_t column,
                           bool symmetric) {
   const bool on_diagonal = row == column;
@@ -238,8 +238,8 @@ void Bodies::hand_on_masses(std::span<const double> x, std::span<double> blocks,
 
 bool Bodies::shorten(std::span<const double> start, std::span<double> u, std::span<double> v,
                      std::span<double> a) const {
-  // The limit is ¾ of a turn, half-way between half a turn and a whole one. Half a turn is enough for every
-  // rotation; at a whole turn, the rate of the rotation vector does not follow from the spin.
+  // The limit is ¾ of a turn, half-way between half a turn and a whole one. No rotation needs more than half
+  // a turn. At a whole turn, the rate of the rotation vector cannot be computed from the spin.
   constexpr double kLongest = 4.71238898038469;
   bool some = false;
   for (const Body& body : bodies_) {

@@ -11,9 +11,9 @@ struct BodyMotion {
   double cu = 1, cv = 0, ca = 0;
 };
 
-/// The matrix values of one evaluation, to which hand_on() adds those of carried nodes. `damping` and `mass`
-/// are the sums of C and M in (4) below over the elements at carried nodes; if both are nullptr, (4) is left
-/// out.
+/// The matrix values of one evaluation, to which hand_on() adds the values of carried nodes. `damping` and
+/// `mass` are the sums of C and M in (4) below over the elements at carried nodes; if both are nullptr, (4)
+/// is left out.
 struct BodyMatrices {
   double* values = nullptr;
   const double *damping = nullptr, *mass = nullptr;
@@ -55,15 +55,15 @@ class Bodies {
   /// Replaces the rotation block A of each body by an upper bound of A. `metric` has the values of a positive
   /// semi-definite matrix, after hand_on():
   ///   tr(A) I ≥ A                                                                           (5)
-  /// A itself is singular if all points of the body are on one line, because nothing resists a rotation about
-  /// that line.
+  /// If all points of the body are on one line, nothing resists a rotation about that line, and A itself is
+  /// singular.
   void resist_turning(double* metric) const;
   /// Adds the mass blocks of carried nodes to the mass blocks of their bodies by (3). `between` has one block
   /// per body, with a row per axis of the origin and a column per axis of the rotation.
   void hand_on_masses(std::span<const double> x, std::span<double> blocks, std::span<double> between) const;
   /// Replaces rotation vectors longer than ¾ of a turn by the shorter vectors of the same rotations, and
-  /// their rates by those of the same spin. `u` are displacements of the unknowns from `start`; their rates
-  /// `v` and `a` may be empty. Returns whether any vector was replaced.
+  /// their rates by rates that give the same spin. `u` are displacements of the unknowns from `start`; their
+  /// rates `v` and `a` may be empty. Returns whether any vector was replaced.
   bool shorten(std::span<const double> start, std::span<double> u, std::span<double> v,
                std::span<double> a) const;
 
@@ -90,11 +90,11 @@ class Bodies {
     Matrix3 velocity, acceleration_by_rate;  // derivatives ∂ẋ/∂q and ∂ẍ/∂q̇
     Matrix3 acceleration;                    // derivative ∂ẍ/∂q
   };
-  /// One product of (3): values[to] += P = Lᵀ values[from] R, where L and R are G or the identity. If
+  /// One of the products in (3): values[to] += P = Lᵀ values[from] R, where L and R are G or the identity. If
   /// `transposed`, Pᵀ is added instead; if `both`, P + Pᵀ.
   struct Product {
     std::size_t from, to;
-    int left, right;     // points whose G is the factor; -1: the factor is the identity
+    int left, right;     // points whose G is this factor; -1: the factor is the identity
     bool from_diagonal;  // only the lower triangle of values[from] is filled
     bool transposed, both;
   };

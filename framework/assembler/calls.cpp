@@ -19,8 +19,8 @@ void add_symmetric_part(const double* __restrict square, std::size_t n, double* 
     }
 }
 
-/// Adds the convex part of each element's tangent (project_convex) to the packed `triangle`. The scratch rows
-/// hold the tangents.
+/// Adds the convex part of each element's tangent (project_convex) to the packed `triangle`. The tangents are
+/// in the scratch rows.
 void add_convex_parts(std::size_t n, bool symmetric, std::size_t count, TileSums& sums, double* triangle) {
   for (std::size_t lane = 0; lane < count; ++lane) {
     for (std::size_t r = 0; r < n; ++r)
@@ -35,9 +35,9 @@ void add_convex_parts(std::size_t n, bool symmetric, std::size_t count, TileSums
   }
 }
 
-/// Adds a matrix of a term that is not its exact tangent: the convex part or the metric (ext/convex.h), or
-/// the symmetric part of an unsymmetric tangent for a symmetric matrix. A term that offers the convex part or
-/// the metric evaluates it itself; otherwise the matrix is derived from the exact tangent of the term.
+/// Adds a matrix of a term other than its exact tangent: the convex part, the metric (ext/convex.h), or, if
+/// the matrix is symmetric, the symmetric part of an unsymmetric tangent. A term that offers the convex part
+/// or the metric evaluates it itself; otherwise the matrix is derived from the exact tangent of the term.
 int call_matrix_term(const ElementFamily& f, const netloft_term& term, netloft_tile& t, MatrixKind kind,
                      TileSums& sums) {
   const bool symmetric = term.traits & NETLOFT_SYMMETRIC;
@@ -106,9 +106,9 @@ int TermCalls::call_term(const ElementFamily& f, const netloft_term& term, netlo
   return call_matrix_term(f, term, t, request.matrix, sums);
 }
 
-/// Whether a term is part of the matrix. Constant forces have no tangent. TangentChoice::elastic leaves out
-/// the forces without an energy, but never inertia, without which the matrix of a time step would be
-/// singular.
+/// Whether a term contributes to the matrix. Constant forces have no tangent. TangentChoice::elastic leaves
+/// out the forces without an energy, but keeps inertia, because the matrix of a time step would be singular
+/// without it.
 bool TermCalls::counts_in_matrix(const netloft_term& term) const {
   if (term.traits & NETLOFT_CONSTANT) return false;
   return (term.traits & (NETLOFT_CONSERVATIVE | NETLOFT_READS_ACCELERATION)) ||

@@ -3,8 +3,8 @@
 
 namespace netloft {
 
-/// The geometric term of a body, (3) of bodies.hpp, contains forces. These forces are evaluated even if the
-/// request does not ask for forces. The forces of the last evaluation at the same x could be reused. This
+/// The geometric term of a body, (3) of bodies.hpp, contains forces, which are therefore evaluated even if
+/// the request does not ask for them. The forces of the last evaluation at the same x could be reused. This
 /// would save less than 0.2 % of a search for an equilibrium with otter boards (83-112-at-sea-66m, with 2000
 /// and 8000 nodes) and 1.4 % of a motion with them (dynamics/83-112-in-motion).
 bool CarriedNodes::pass_on(std::span<const double> x, const Request& request) {

@@ -5,7 +5,7 @@
 
 namespace netloft {
 
-/// Passes forces and matrices on from carried nodes, which move with a rigid body, to their bodies, by (2) to
+/// Passes the forces and matrices of carried nodes, which move with a rigid body, on to this body, by (2) to
 /// (4) of bodies.hpp. If (3) or (4) needs forces or matrices that the request does not contain, the elements
 /// at these nodes are evaluated again.
 class CarriedNodes {

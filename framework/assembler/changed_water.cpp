@@ -12,12 +12,13 @@ namespace {
 
 constexpr std::size_t kMostCorners = 4, kRowsOfElement = 3 * kMostCorners;
 
-/// Adds factor times a row of 64 numbers, times another row.
+/// Adds a factor times the product of two rows, each of 64 numbers.
 void add_product(double* to, double factor, const double* a, const double* b, std::size_t count) {
   for (std::size_t lane = 0; lane < count; ++lane) to[lane] += factor * a[lane] * b[lane];
 }
 
-/// Multiplies a matrix of rows 3r + c by a vector of rows c, lane by lane.
+/// Multiplies 3 x 3 matrices by vectors, one pair per lane. Row 3r + c has entry (r, c) of the matrices, row
+/// c the component c of the vectors.
 void multiply(const double* matrix, const double* vector, std::size_t count, double* to) {
   std::fill_n(to, 3 * kTileLanes, 0.0);
   for (std::size_t r = 0; r < 3; ++r)
@@ -31,15 +32,16 @@ bool is_in_changed_water(const FamilyPlan& family, const TermPlan& term) {
   return family.flow && sees_changed_water(term.traits);
 }
 
-/// The water at the corners of the elements of a tile, as the flow changes it. Rows of 64 numbers; index of a
-/// row of a corner: 3 corner + axis.
+/// The water at the corners of the elements of a tile, which the flow changes. Each row has 64 numbers and
+/// the index 3 corner + axis.
 struct ChangedWater::Places {
   double velocity[kRowsOfElement * kTileLanes], velocity_dz[kRowsOfElement * kTileLanes];
   double by_unknown[3][kRowsOfElement * kTileLanes], weight[3][kRowsOfElement * kTileLanes];
   double weight_dz[3][kRowsOfElement * kTileLanes];  // ∂g/∂U ∂U/∂z
 };
 
-/// ∂r/∂x, multiplied by the factor cu of the tile, and ∂r/∂v: squares of rows of 64 numbers.
+/// ∂r/∂x, multiplied by the factor cu of the tile, and ∂r/∂v: square matrices whose entries are rows of 64
+/// numbers.
 struct ChangedWater::Tangents {
   double by_x[kRowsOfElement * kRowsOfElement * kTileLanes],
       by_v[kRowsOfElement * kRowsOfElement * kTileLanes];

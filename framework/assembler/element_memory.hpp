@@ -11,15 +11,16 @@ namespace netloft {
 
 class TileEvaluator;
 
-/// Makes the memory of each family (all elements of one type). If `ground_passes`, the ground moves under the
-/// gear, and terms that read the ground need no memory.
+/// Makes the memory of each family (all elements of one type). `ground_passes` means that the ground moves
+/// under the gear; terms that read the ground then need no memory.
 std::vector<Memory> make_memories(const ElementTiles& tiles, bool ground_passes);
 
-/// Lets all elements store their state at positions x (over all dofs) as that of the last accepted step.
-/// Returns false if an element could not be evaluated; then nothing has changed.
+/// Lets all elements store their state at positions x (over all dofs), which have become those of the last
+/// accepted step. Returns false if an element could not be evaluated; then nothing has changed.
 bool remember(TileEvaluator& elements, std::span<const double> x, const Kinematics& motion);
 
-/// All numbers that elements remember: the states of all families, then the stretch rates of their members.
+/// Returns all numbers that elements remember: first the states of all families, then the stretch rates of
+/// their members.
 std::vector<double> read_memory(TileEvaluator& elements);
 void write_memory(TileEvaluator& elements, std::span<const double> numbers);
 

@@ -30,7 +30,7 @@ ElementTiles make_element_tiles(std::span<const std::unique_ptr<ElementFamily>> 
                                 const Numbering& numbering, const NodeBlocks& blocks,
                                 const SparsePattern& pattern);
 
-/// The tiles of other families, for `families` with the same nodes.
+/// Makes the tiles of `families` from those of other families that have the same nodes.
 ElementTiles tiles_of(std::span<const std::unique_ptr<ElementFamily>> families, const ElementTiles& like);
 
 }  // namespace netloft

@@ -15,7 +15,7 @@ ElementFamily::ElementFamily(const Scene& scene, const FamilyPlan& plan, std::ui
     if (plan.terms[i].on && !is_in_changed_water(plan, plan.terms[i]))
       terms_.push_back(type_->terms[i]);
     else if (plan.terms[i].on)
-      continue;  // a family of its own evaluates it
+      continue;  // another family evaluates this term
     else if (plan.terms[i].when_it_moves)
       terms_of_motion_.push_back(type_->terms[i]);
   gather_parameters(scene);

@@ -21,9 +21,9 @@ inline std::uint32_t rotation_node(const Scene& scene, std::size_t body) {
 /// order of the parts, and within a part the order of its element list.
 class ElementFamily {
  public:
-  /// Unknowns that all elements of a part share (such as the front of a catch) have a node of their own for
-  /// each part, numbered from `first_global_node` on. Throws SceneError if parameters or data are wrong or
-  /// the plugin refuses an element.
+  /// Some unknowns, such as the front of a catch, are shared by all elements of a part. They are the
+  /// coordinates of an additional node for each part; these nodes are numbered from `first_global_node` on.
+  /// Throws SceneError if parameters or data are wrong or the plugin refuses an element.
   ElementFamily(const Scene& scene, const FamilyPlan& plan, std::uint32_t first_global_node = 0);
   /// The drag of the elements of `base` in the water of the flow `flow`, both of which must outlive this
   /// object. The unknowns of the flow are the last node of each element.
@@ -52,8 +52,8 @@ class ElementFamily {
   /// First element of each part, and one past the last.
   const std::vector<std::size_t>& part_begin() const { return part_begin_; }
   const void* self() const { return self_; }
-  /// The family whose elements these are once more, with only their drag in water that a flow changes;
-  /// nullptr if these are elements of their own.
+  /// If these elements are those of another family once more, with only their drag in water that a flow
+  /// changes: that family; otherwise nullptr.
   const ElementFamily* repeated() const;
   /// The arm of the body to which an element belongs: the length that multiplies rotations, so that the
   /// unknowns are lengths [m].
@@ -65,7 +65,7 @@ class ElementFamily {
   /// breaks a rule of the plugin interface, a term returns ERROR, and the outputs throw std::runtime_error.
   int evaluate(const netloft_term& term, netloft_tile& tile) const;
   int output(netloft_tile& tile, double* values) const;
-  /// Asks the elements, which are a flow, for the velocity of the water at up to 64 places.
+  /// Computes the velocity of the water at up to 64 places. The elements must be a flow.
   int find_water(netloft_flow_tile& tile) const;
 
   /// The numbers of a table parameter of a scene part, in the memory that elements read; empty if the part
@@ -83,12 +83,12 @@ class ElementFamily {
   const std::vector<GlobalNode>& global_nodes() const { return global_nodes_; }
 
   const std::vector<netloft_term>& active_terms() const { return terms_; }
-  /// Terms that act only in motion. A static analysis evaluates them only for a matrix that has derivatives
-  /// with respect to velocities or accelerations.
+  /// The terms that act only if the gear moves. A static analysis needs them only for a matrix that has
+  /// derivatives with respect to velocities or accelerations.
   const std::vector<netloft_term>& terms_of_motion() const { return terms_of_motion_; }
   /// One watch for each law that the elements call.
   const std::vector<std::unique_ptr<LawWatch>>& law_watches() const;
-  /// Whether some active term has this trait, and therefore needs an input from the host.
+  /// Whether some active term has this trait, which declares that it reads an input of the host.
   bool reads(std::uint32_t trait) const {
     for (const auto& term : terms_)
       if (term.traits & trait) return true;

@@ -5,7 +5,8 @@
 namespace netloft {
 
 /// Nodes whose unknowns are not along x, y and z, such as nodes on a slider or on an inclined plane. Elements
-/// work in the world frame; their residuals r and matrix blocks K_ab of nodes a, b are rotated afterwards.
+/// work in the world frame; afterwards, their residuals r and matrix blocks K_ab (of nodes a and b) are
+/// rotated.
 ///   x = x₀ + Q u,   r ← Qᵀ r,   K_ab ← Q_aᵀ K_ab Q_b                (1)
 /// The columns of Q are the axes of the three coordinates u of a node, some of which are held. Q is constant,
 /// so that the tangent stays exact.
@@ -14,7 +15,8 @@ class Frames {
   Frames(const Scene& scene, const Numbering& numbering, const NodeBlocks& blocks, bool symmetric);
 
   bool empty() const { return nodes_.empty(); }
-  /// Computes the positions of the rotated nodes from their start and the displacements of the unknowns.
+  /// Computes the positions of the rotated nodes from their positions at the start and the displacements of
+  /// the unknowns.
   void place(std::span<const double> start, std::span<const double> u, std::span<double> x) const;
   /// Computes velocities or accelerations of the rotated nodes in the world frame from their components along
   /// the nodes' own axes.

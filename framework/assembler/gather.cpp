@@ -18,7 +18,7 @@ void gather_vector(const Tiling& tiling, std::size_t tile, const double* from, d
     for (std::size_t lane = 0; lane < count; ++lane) to[lane] = from[map[lane]];
 }
 
-/// Converts rotations of bodies from lengths, which are the unknowns, to radians, which elements read.
+/// Converts rotations of bodies, whose unknowns are lengths, to radians for the elements.
 void divide_rotations(const Tiling& tiling, std::size_t tile, double* rows) {
   for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane)
     for (std::size_t d = 3; d < 6; ++d)
@@ -120,10 +120,10 @@ void Gatherer::gather_current(const Tiling& tiling, std::size_t tile, double tim
     }
 }
 
-/// Adds the waves to the gathered current at the nodes of a tile. The tangent leaves out how waves change in
-/// horizontal directions, because elements receive the derivative with z only (`current_dz`). The part left
-/// out is the slope of the drag times k a ω h, with wave number k, amplitude a, angular frequency ω and step
-/// length h. It is small compared with inertia.
+/// Adds the waves to the gathered current at the nodes of a tile. Elements receive the derivative of the
+/// velocity with z only (`current_dz`), so that the tangent contains no horizontal change of the waves. The
+/// missing part is the slope of the drag times k a ω h, with wave number k, amplitude a, angular frequency ω
+/// and step length h. It is small compared with inertia.
 void Gatherer::gather_waves(const Tiling& tiling, std::size_t tile, double time, TileInputs& w) const {
   for (std::size_t node = 0; node < static_cast<std::size_t>(tiling.family->nodes_per_element()); ++node)
     for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) {
@@ -147,7 +147,7 @@ void Gatherer::gather_bed(const Tiling& tiling, std::size_t tile, TileInputs& w)
     }
 }
 
-/// Fills in a current that is the same at all heights. It is computed once for all tiles at this time.
+/// Writes a current that is the same at all heights to a tile. It is computed only when the time changes.
 void Gatherer::fill_current(double time, TileInputs& w) const {
   if (w.current_time == time) return;
   w.current_time = time;

@@ -13,14 +13,15 @@
 
 namespace netloft {
 
-/// The inputs of the elements of one tile, in rows of 64 numbers. An input that the scene lacks is empty.
+/// The inputs of the elements of one tile, in rows of 64 numbers. The array of an input is empty if the scene
+/// has no such input.
 struct TileInputs {
-  std::vector<double> x, x_low;                     // positions [m], and the digits that rounding removes
-  std::vector<double> v, a;                         // [m/s], [m/s²]; empty if everything is at rest
-  std::vector<double> current, current_dz;          // [m/s], [1/s]; empty in still water
+  std::vector<double> x, x_low;             // positions [m]; digits of them that double precision rounds off
+  std::vector<double> v, a;                 // [m/s], [m/s²]; empty if everything is at rest
+  std::vector<double> current, current_dz;  // [m/s], [1/s]; empty in still water
   std::vector<double> water_acceleration, surface;  // [m/s²], [m]; empty without waves
   std::vector<double> bed;                          // bed per node: height, slopes and second derivatives
-  // Data that extensions of the plugin interface add to the tile, for the family that receives the tile.
+  // Data of extensions of the plugin interface for the family that receives the tile.
   ExtensionInputs extensions;
   // The time [s] at which `current` was evaluated, if the current is uniform.
   double current_time = std::numeric_limits<double>::quiet_NaN();

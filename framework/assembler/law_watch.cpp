@@ -88,7 +88,8 @@ LawUse LawWatch::end() {
 
 int LawWatch::pass_on(const void* watch, const netloft_law_tile* flow) {
   const LawWatch& self = *static_cast<const LawWatch*>(watch);
-  if (self.watches_) const_cast<LawWatch&>(self).note(*flow);  // the C interface passes a pointer to const
+  // the C interface hands out a pointer to const only
+  if (self.watches_) const_cast<LawWatch&>(self).note(*flow);
   return call_plugin({self.law_.type.c_str(), "evaluate", nullptr, CallFrame::Kind::element},
                      int{NETLOFT_ERROR}, [&] {
                        const int status = self.law_.law.evaluate(self.parameters_, flow);

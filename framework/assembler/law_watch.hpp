@@ -7,13 +7,12 @@
 
 namespace netloft {
 
-/// How much a law is used inside and outside one of the ranges in which it was measured. Each call counts
-/// with the metres of twine or square metres of netting that the element gives, or with 1 if the element
-/// gives neither.
+/// How much a law is used inside and outside one of the ranges in which it was measured. The weight of a call
+/// is the length of twine [m] or area of netting [m²] that the element states, or 1 if it states neither.
 struct RangeUse {
   const netloft_validity* range = nullptr;
   double inside = 0, outside = 0;
-  // Least and largest value of the quantity.
+  // Least and largest value with which the law was called.
   double least = std::numeric_limits<double>::infinity(), most = -least;
 
   /// Fraction of the use that is outside the range, 0 to 1.
@@ -27,9 +26,9 @@ struct LawUse {
   std::vector<RangeUse> ranges;
 };
 
-/// Passes the calls of elements on to a law, so that an error message names the law if it crashes or breaks a
+/// Stands between the elements and a law, so that an error message can name the law if it crashes or breaks a
 /// rule of the plugin interface. Between begin() and end(), a watch also sums for each range of the law how
-/// much of the gear is inside and outside the range. During this time, only one thread may call it.
+/// much of the gear is inside the range, and how much outside. During this time, only one thread may call it.
 class LawWatch {
  public:
   /// `parameters` must be valid and outlive this object.
@@ -50,7 +49,8 @@ class LawWatch {
   bool watches_ = false;
 };
 
-/// The value of a quantity (NETLOFT_REYNOLDS …) for one element (`lane`) of a flow, for a law of this kind.
+/// The value of a quantity (NETLOFT_REYNOLDS …) for one element (`lane`) of a tile of flows, as a law of this
+/// kind defines it.
 double flow_quantity(std::uint32_t kind, std::uint32_t quantity, const netloft_law_tile& flow,
                      std::size_t lane);
 

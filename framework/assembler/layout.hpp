@@ -8,7 +8,7 @@
 
 namespace netloft {
 
-/// The arrangement of the matrix values of an assembler. It follows from connections alone: the nodes of all
+/// The arrangement of the matrix values of an assembler. It depends on connections only: the nodes of all
 /// elements, the held coordinates, and the nodes of bodies. Assemblers with equal connections share it.
 struct Layout {
   std::vector<std::uint8_t> held;
@@ -23,7 +23,7 @@ using Families = std::span<const std::unique_ptr<ElementFamily>>;
 /// `nodes`: all nodes, with those of rotations and shared unknowns.
 std::shared_ptr<const Layout> make_layout(Families families, const Scene& nodes, bool symmetric);
 
-/// Whether `layout`, which was made for `others`, is also that of `families` and their nodes.
+/// Whether `layout`, which was made for the families `others`, also fits `families` and their nodes.
 bool is_layout_of(const Layout& layout, Families others, Families families, const Scene& nodes,
                   bool symmetric);
 

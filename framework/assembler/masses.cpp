@@ -9,8 +9,8 @@ namespace netloft {
 
 namespace {
 
-/// Entry (r, c) of the tangents of all 64 elements of a tile. The tangent is packed if `symmetric`, else
-/// full.
+/// Entry (r, c) of the tangents of all 64 elements of a tile. The tangent is stored as a packed triangle if
+/// `symmetric`, otherwise as a full square.
 const double* entry_of(const double* tangent, bool symmetric, std::size_t dofs, std::size_t r,
                        std::size_t c) {
   const std::size_t at = symmetric ? packed(std::max(r, c)) + std::min(r, c) : r * dofs + c;
@@ -23,13 +23,13 @@ double largest_lane(std::span<const double> lanes) {
   return largest;
 }
 
-/// Length of the unknown per unit of the element's coordinate in row `row`: the arm of the body for rotations
+/// Factor from the coordinate of an element in row `row` to the unknown: for rotations, the arm of the body
 /// (metres per radian), otherwise 1.
 double turn_factor(const ElementFamily& f, std::size_t element, std::size_t row) {
   return row / 3 == 1 ? f.arm(element) : 1;
 }
 
-/// The index of the body on which an element is. The rotation nodes of bodies have consecutive numbers.
+/// The index of the body to which an element belongs. The rotation nodes of bodies have consecutive numbers.
 std::size_t body_of(const ElementFamily& f, std::size_t element,
                     std::span<const std::array<std::uint32_t, 2>> bodies) {
   const std::size_t body = f.node(element, 1) - bodies.front()[1];
@@ -37,8 +37,8 @@ std::size_t body_of(const ElementFamily& f, std::size_t element,
   return body;
 }
 
-/// Adds entry (r, c) of elements on bodies. The rows of such an element belong first to the origin, then to
-/// the rotation, then to shared unknowns.
+/// Adds entry (r, c) of elements that belong to bodies. The first rows of such an element are for the origin
+/// of the body, the next for its rotation, the last for shared unknowns.
 void add_on_bodies(const ElementFamily& f, const netloft_tile& t, std::size_t r, std::size_t c,
                    const double* lanes, std::span<const std::array<std::uint32_t, 2>> bodies,
                    MassBlocks& masses) {

@@ -11,7 +11,7 @@ namespace netloft {
 struct MassBlocks {
   std::span<double> nodes;    // for each node a 3 x 3 block, row by row [kg]
   std::span<double> between;  // a 3 x 3 block per body, origin x rotation [kg]
-  double coupled = 0;         // largest entry of the mass matrix that is in none of these blocks [kg]
+  double coupled = 0;         // largest entry of the mass matrix that is in no block [kg]
 };
 
 /// Adds the masses of all elements at x. `bodies` has two nodes per body, its origin and its rotation.

@@ -18,9 +18,9 @@ class MeanForces {
   StepTile make_step_tile() const;
   /// Gathers the positions at the ends of a step.
   void gather(const Tiling& tiling, std::size_t tile, const StepEnds& ends, StepTile& step) const;
-  /// Corrects the sums of terms that have an energy, evaluated at the middle of a step: forces become mean
-  /// forces of the step, tangents become the derivatives of mean forces. Returns the first status other than
-  /// NETLOFT_OK.
+  /// Corrects the sums of terms that have an energy, evaluated at the middle of a step: replaces forces by
+  /// the mean forces of the step, and tangents by the derivatives of the mean forces. Returns the first
+  /// status other than NETLOFT_OK.
   int add(std::size_t family, const netloft_tile& tile, const Request& request, TileSums& sums,
           StepTile& step) const;
   /// Updates the stretch rates after an accepted step by (3) of mean_of_members.hpp. Returns false if an

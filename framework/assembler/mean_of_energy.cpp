@@ -13,8 +13,8 @@ namespace {
 /// A difference of energies below this fraction of their magnitudes counts as rounding error.
 constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 
-/// Removes the rigid-body motion of an element at positions x from the displacements `moves` of its nodes;
-/// both have three numbers per node.
+/// Subtracts the rigid-body motion of an element from the displacements `moves` of its nodes. Both `moves`
+/// and the positions x have three numbers per node.
 void take_out_rigid_motion(const double* x, std::size_t nodes, double* moves) {
   using Nodes = Eigen::Matrix<double, 3, Eigen::Dynamic>;
   const Eigen::Map<const Nodes> places(x, 3, static_cast<Eigen::Index>(nodes));
@@ -36,7 +36,7 @@ void take_out_rigid_motion(const double* x, std::size_t nodes, double* moves) {
   }
 }
 
-/// Quantities of (1) in mean_of_energy.hpp for a term of an element. μ is zero if no correction is needed.
+/// Quantities of (1) in mean_of_energy.hpp for a term of an element. No correction is needed if μ is zero.
 struct Lane {
   double way[12] = {}, force[12] = {}, later[12] = {}, g[12] = {};  // Δ, ∇E(x), ∇E(x₁), P Δ
   double work = 0, square = 0, mu = 0;                              // ∇E·Δ, g·g, μ
@@ -70,7 +70,8 @@ Lane read_lane(const ElementFamily& f, const netloft_term& term, std::size_t lan
   return m;
 }
 
-/// Adds the tangent (2) of mean_of_energy.hpp, except for its first term K, which the scratch rows contain.
+/// Adds the tangent (2) of mean_of_energy.hpp, without its first term K, which is already in the scratch
+/// rows.
 void add_slope_of_lane(const TileOfStep& of, const Lane& m, std::size_t lane) {
   const std::size_t dofs = of.dofs();
   double* slope = of.open_slope();
@@ -88,7 +89,7 @@ void add_slope_of_lane(const TileOfStep& of, const Lane& m, std::size_t lane) {
         slope[(packed(r) + c) * kTileLanes + lane] += 0.5 * (entry(r, c) + entry(c, r));
 }
 
-/// Evaluates a term at positions x. Energy and force are stored at index `which` of the step's arrays, the
+/// Evaluates a term at positions x. Stores energy and force at index `which` of the step's arrays, and the
 /// tangent in the scratch rows.
 int call(const TileOfStep& of, const netloft_term& term, const double* x, std::size_t which,
          std::uint32_t want) {

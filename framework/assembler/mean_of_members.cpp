@@ -19,7 +19,7 @@ struct PositionsOfTile {
   const double *before, *after, *middle;
 };
 
-/// A member of one element: its chords at both ends of the step and at the positions of the evaluation.
+/// The chords of a member: at both ends of the step, and at the positions at which forces are evaluated.
 struct Chord {
   Chord(const netloft_member& m, const PositionsOfTile& tile, std::size_t nodes, std::size_t lane) {
     for (std::size_t p = 0; p < nodes; ++p)
@@ -46,8 +46,8 @@ struct MemberOfStep {
   bool grows() const { return before.rest_length != after.rest_length; }
 };
 
-/// Mean tension T̄, mean stiffness k, and stretch s in a step (mean_of_members.hpp), with the derivative of s
-/// by l₁.
+/// Mean tension T̄, mean stiffness k, and stretch s in a step (mean_of_members.hpp), and the derivative of s
+/// with respect to l₁.
 struct MeanOfMember {
   MeanTension tension;
   MeanStiffness stiffness;
@@ -55,8 +55,8 @@ struct MeanOfMember {
 };
 
 /// If the rest length changes, (4) of mean_of_members.hpp replaces (1) of mean_tension.hpp. The rest length
-/// in the middle of the step cannot stand for the whole step: if the step pays out more rope than the rope is
-/// stretched, the rope would count as slack at the beginning.
+/// in the middle of the step must not be used for the whole step: if more rope is paid out in the step than
+/// the rope is stretched, the rope would seem slack at the beginning.
 MeanOfMember mean_of(const MemberOfStep& m, double before, double after) {
   if (!m.grows())
     return {mean_tension(m.middle, before, after), mean_stiffness(m.middle, before, after), after - before,
@@ -70,7 +70,8 @@ MeanOfMember mean_of(const MemberOfStep& m, double before, double after) {
   return {{mean.T, mean.slope / L1}, {stiff.k / L, stiff.slope / (L * L1)}, L * (late - early), L / L1};
 }
 
-/// Mean force of a member and its tangent, minus force and tangent at the middle of the step.
+/// The difference between the mean force of a member and its force at the middle of the step, and the same
+/// for the tangent.
 struct Correction {
   SpaceVector force;
   Eigen::Matrix3d slope;
@@ -94,8 +95,8 @@ Correction correct(const MemberOfStep& step, const Chord& w, const StepEnds& end
   return c;
 }
 
-/// Adds the block of corners (p, q) to the tangent of an element, which is either `square` or `triangle`
-/// (packed); the other pointer is nullptr.
+/// Adds the block of corners (p, q) to the tangent of an element. The tangent is either `square` or a packed
+/// `triangle`; the other pointer is nullptr.
 void add_slope(std::size_t p, std::size_t q, std::size_t dofs, std::size_t lane, const Eigen::Matrix3d& block,
                double* square, double* triangle) {
   for (std::size_t r = 0; r < 3; ++r)

@@ -24,9 +24,9 @@ namespace netloft {
 // high-frequency dissipative time-stepping algorithms for nonlinear dynamics", Comput. Methods Appl. Mech.
 // Engrg. 190, 2001, for damping, there without a memory.
 
-/// Replaces the forces and tangents at the middle of the step by (1) and (2), for all members of a tile, by
-/// adding the differences. `stretch_rates` holds m, [member][64] [m/s]. Returns NETLOFT_OK, or NETLOFT_ERROR
-/// if the element fails to write its members.
+/// Replaces the forces and tangents at the middle of the step by (1) and (2), for all members of a tile: adds
+/// the differences. `stretch_rates` holds m, [member][64] [m/s]. Returns NETLOFT_OK, or NETLOFT_ERROR if the
+/// element fails to write its members.
 int add_mean_of_members(const TileOfStep& of, const double* stretch_rates);
 
 /// Updates m of (3) after an accepted step that ends at `time` [s], with ν = `memory`. `step` has the

@@ -9,8 +9,8 @@ double stiffness_at(const netloft_member& m, double l) {
 double tension_at(const netloft_member& m, double l) { return stiffness_at(m, l) * (l - m.rest_length); }
 bool is_taut(const netloft_member& m, double l) { return l >= m.rest_length; }
 
-/// a and b are the stretches at both ends of the step. If the member is slack at one end only, they have
-/// different signs, so that the difference b − a is accurate.
+/// a and b are the stretches at both ends of the step. If the member is slack at one end only, a and b have
+/// different signs, so that b − a does not suffer from cancellation.
 MeanTension mean_tension(const netloft_member& m, double before, double after) {
   const double a = before - m.rest_length, b = after - m.rest_length, k = stiffness_at(m, after);
   if (is_taut(m, before) == is_taut(m, after)) return {0.5 * k * (a + b), 0.5 * k};

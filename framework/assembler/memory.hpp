@@ -19,7 +19,7 @@ class Memory {
   bool empty() const { return kept_.empty(); }
   const double* kept(std::size_t tile) const { return empty() ? nullptr : &kept_[place_of(tile)]; }
   double* mutable_kept(std::size_t tile) { return &kept_[place_of(tile)]; }
-  /// The array to which a tile writes its next state. It contains the current state at first.
+  /// The array to which a tile writes its next state. At first, it contains the current state.
   double* next(std::size_t tile) { return &next_[place_of(tile)]; }
   void begin() { next_ = kept_; }
   void accept() { kept_.swap(next_); }

@@ -22,7 +22,8 @@ struct Dof {
 };
 
 /// Numbers the degrees of freedom: first the unknowns, in the order of the nodes, then the held ones. A
-/// vector over all of them holds positions, or residuals of the unknowns followed by reactions.
+/// vector over all degrees of freedom may hold positions, or the residuals of the unknowns followed by the
+/// reactions.
 class Numbering {
  public:
   explicit Numbering(const Scene& scene) : place_(3 * scene.node_count()) {
@@ -53,8 +54,8 @@ class Numbering {
     return coordinate_[dof.at()];
   }
 
-  std::vector<std::int32_t> place_;        // place of each coordinate 3 node + axis
-  std::vector<std::uint32_t> coordinate_;  // coordinate 3 node + axis of each place
+  std::vector<std::int32_t> place_;        // index of each coordinate 3 node + axis
+  std::vector<std::uint32_t> coordinate_;  // coordinate 3 node + axis at each index
   std::int32_t unknowns_ = 0;
 };
 

@@ -13,8 +13,8 @@ namespace netloft {
 
 namespace {
 
-/// Adds the node pairs of bodies. A body is coupled to all neighbours of its points, and its points are
-/// neighbours of each other.
+/// Adds the pairs of nodes that bodies couple. The nodes of a body (origin and rotation) are coupled to all
+/// neighbours of its points, and its points are neighbours of each other.
 template <class Add>
 void join_bodies(const Scene& scene, const Add& add, const std::vector<std::vector<std::uint32_t>>& near) {
   if (scene.bodies.empty()) return;
@@ -35,7 +35,7 @@ void join_bodies(const Scene& scene, const Add& add, const std::vector<std::vect
 /// For each node, the nodes that can move and share an element with it, itself included.
 std::vector<std::vector<std::uint32_t>> find_neighbours(
     std::span<const std::unique_ptr<ElementFamily>> families, const Scene& scene, bool symmetric) {
-  constexpr std::size_t kMostly = 32;  // entries per node, repetitions included; enough for most nodes
+  constexpr std::size_t kMostly = 32;  // more entries per node, with repetitions, than most nodes have
   std::vector<std::vector<std::uint32_t>> near(scene.node_count());
   for (auto& rows : near) rows.reserve(kMostly);
   const auto moves = [&](std::uint32_t node) { return !scene.stands_still(node); };

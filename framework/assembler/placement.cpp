@@ -22,8 +22,8 @@ Placement::Placement(const Scene& scene, const Scene& nodes, const NodeBlocks& b
   bodies_.place(start_);
 }
 
-/// Calls visit(index among all dofs, axis, motion of the guide at `time`) for every degree of freedom that a
-/// guide moves.
+/// For every degree of freedom that a guide moves, calls visit(index among all dofs, axis, motion of the
+/// guide at `time`).
 template <class Visit>
 void Placement::visit_guided(double time, const Visit& visit) const {
   for (const Guide& guide : guides_) {
@@ -51,7 +51,7 @@ void Placement::place_from(std::span<const double> base, std::span<const double>
   std::copy(u.begin(), u.end(), x_low.begin());
   std::fill(x_low.begin() + static_cast<std::ptrdiff_t>(u.size()), x_low.end(), 0.0);
   frames_.turn_back(u, x_low);
-  // Exact sum of two numbers: the rounded sum and its error (Knuth 1969).
+  // The exact sum of two numbers, as the rounded sum and its error (Knuth 1969).
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double way = x_low[i];
     x[i] = base[i] + way;

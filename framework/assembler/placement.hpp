@@ -15,14 +15,15 @@ namespace netloft {
 /// only. Vectors over all degrees of freedom (dofs) have the order of `numbering()`.
 class Placement {
  public:
-  /// `nodes` has the nodes of the scene, then those for the rotations of bodies and for unknowns that
-  /// elements share. `blocks` has the node pairs that have matrix values.
+  /// `nodes` are the nodes of the scene, followed by nodes for the rotations of bodies and for unknowns that
+  /// elements share. `blocks` are the node pairs with matrix values.
   Placement(const Scene& scene, const Scene& nodes, const NodeBlocks& blocks, bool symmetric);
 
   const Numbering& numbering() const { return numbering_; }
 
   /// Computes the positions over all dofs at displacements u of the unknowns [m]. Guided nodes are at their
-  /// positions at `time` [s]. Those of held nodes do not change: x has them already, as start() does.
+  /// positions at `time` [s]. Positions of held nodes do not change: x must contain them already, as start()
+  /// does.
   void place(std::span<const double> u, std::span<double> x, double time = 0) const;
   /// Computes positions at displacements u from positions `base` [m]: x in double precision, and in x_low the
   /// digits that rounding removes from x. No node may be carried by a body.
@@ -31,26 +32,25 @@ class Placement {
   bool has_bodies() const { return !bodies_.empty(); }
   /// The origin of the body that carries a node; the node itself if no body carries it.
   std::uint32_t carrier(std::uint32_t node) const { return bodies_.carrier(node); }
-  /// Computes the rates over all dofs at positions x from those of the unknowns and of the guides.
+  /// Computes the rates of all dofs at positions x from the rates of the unknowns and of the guides.
   void move(double time, std::span<const double> x, std::span<const double> v, std::span<const double> a,
             std::span<double> all_v, std::span<double> all_a) const;
   /// Replaces rotation vectors longer than ¾ of a turn by the shorter vectors of the same rotations. Changes
-  /// displacements u of the unknowns and their rates, which may be empty. Call this between two solutions
-  /// only, because a solver compares displacements with earlier ones. Returns whether any vector was
-  /// replaced.
+  /// displacements u of the unknowns and their rates, which may be empty. Must not be called during a solve,
+  /// because a solver compares displacements with earlier ones. Returns whether any vector was replaced.
   bool shorten_rotations(std::span<double> u, std::span<double> v = {}, std::span<double> a = {}) const;
   /// Displacements of the unknowns that bring the nodes as close as possible to `positions`, 3 per node of
   /// the scene [m].
   std::vector<double> displacements(std::span<const double> positions) const;
-  /// Displacements at which all unknowns have the values that they have in `x`, a vector over all dofs of an
-  /// assembler with the same numbering.
+  /// Displacements that give the unknowns their values in `x`, a vector over all dofs of an assembler with
+  /// the same numbering.
   std::vector<double> displacements_to(std::span<const double> x) const;
-  /// Sets the rotations of bodies in displacements u to those that they have at positions x on another mesh
-  /// `from` of the same gear.
+  /// Copies the rotations of bodies from another mesh `from` of the same gear, at positions x, to the
+  /// displacements u.
   void take_rotations(const Placement& from, std::span<const double> x, std::span<double> u) const;
-  /// Extracts the positions of the scene's nodes, 3 per node, from a vector x over all dofs [m]. x may also
-  /// be velocities or displacements. Unknowns that the elements of a part share have no position and are left
-  /// out.
+  /// Extracts the positions of the scene's nodes, 3 per node, from a vector x over all dofs [m]. It also
+  /// accepts velocities or displacements. Unknowns that the elements of a part share have no position and are
+  /// left out.
   std::vector<double> node_positions(std::span<const double> x) const;
   std::array<double, 3> node_position(std::uint32_t node, std::span<const double> x) const;
   /// Whether an entry of a vector over all dofs is a coordinate of a node of the scene [m].

@@ -10,9 +10,9 @@
 namespace netloft {
 
 /// Evaluations for reports: forces and energies of single terms, outputs of elements, and the use of laws
-/// outside their ranges. They run on one thread. `x` are positions over all dofs, `family` is an index among
-/// the families of the assembler, and `term` an index among the active terms of the family. A false result
-/// means that an element could not be evaluated: see Assembler::fault().
+/// outside their ranges. All functions run on one thread. `x` are positions over all dofs, `family` is an
+/// index among the families of the assembler, and `term` an index among the active terms of the family. A
+/// false result means that an element could not be evaluated: see Assembler::fault().
 class ElementReports {
  public:
   /// The arguments must outlive this object.
@@ -22,8 +22,8 @@ class ElementReports {
   /// Force of one term alone, as a residual over all dofs [N].
   bool evaluate_term(std::span<const double> x, std::size_t family, std::size_t term,
                      std::span<double> residual, const Kinematics& motion = {});
-  /// Force of all terms whose traits `counts` accepts, as a residual over all dofs [N]. Terms that cannot be
-  /// evaluated are left out.
+  /// Force of all terms for whose traits `counts` is true, as a residual over all dofs [N]. Terms that cannot
+  /// be evaluated are left out.
   std::vector<double> sum_terms(std::span<const double> x, bool (*counts)(std::uint32_t traits));
   /// Energy of one term alone [J]; zero if it has none.
   bool term_energy(std::span<const double> x, std::size_t family, std::size_t term, double& energy,
@@ -40,8 +40,8 @@ class ElementReports {
   /// false.
   bool outputs(std::span<const double> x, std::size_t family, std::vector<std::vector<double>>& values,
                const Kinematics& motion = {});
-  /// How much each law is used at x inside and outside the ranges in which it was measured: one entry per
-  /// family and law that has a range.
+  /// How much each law is used inside and outside the ranges in which it was measured, at positions x. There
+  /// is one entry per family and law that has a range.
   std::vector<LawUse> find_law_use(std::span<const double> x, const Kinematics& motion = {});
 
  private:

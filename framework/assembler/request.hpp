@@ -7,8 +7,8 @@ namespace netloft {
 enum class MatrixKind { none, exact, convex, metric };
 
 /// The motion of a scene during an evaluation: velocities and accelerations over all dofs (nullptr at rest),
-/// the factors of the matrix cu ∂r/∂x + cv ∂r/∂v + ca ∂r/∂a, and the digits that rounding removes from the
-/// positions, if they are known.
+/// the factors of the matrix cu ∂r/∂x + cv ∂r/∂v + ca ∂r/∂a, and, if known, the digits that rounding removes
+/// from the positions.
 struct Kinematics {
   double time = 0;                          // [s]
   const double *v = nullptr, *a = nullptr;  // [m/s], [m/s²]
@@ -28,13 +28,14 @@ struct StepEnds {
 struct Request {
   double* energy = nullptr;        // the energy, one number [J]
   bool conservative_only = false;  // leave out forces without an energy; the residual is then the gradient
-  std::uint32_t without = 0;       // terms with any of these traits are left out
+  std::uint32_t without = 0;       // leave out terms with any of these traits
   double* residual = nullptr;      // over all dofs, +dE/dx [N]: of unknowns, then of held dofs (reactions)
   double* gradient = nullptr;      // part of the residual that has an energy, over all dofs [N]
   MatrixKind matrix = MatrixKind::none;
   double* values = nullptr;  // values of the matrix, Assembler::value_slots() long [N/m]
   Kinematics motion = {};
-  const StepEnds* between = nullptr;  // compute mean forces of this step, x in its middle; nullptr: do not
+  const StepEnds* between = nullptr;  // the step whose mean forces are computed, with x in its middle;
+                                      // nullptr: forces at x
 };
 
 }  // namespace netloft

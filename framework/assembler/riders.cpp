@@ -7,7 +7,7 @@ namespace netloft {
 
 namespace {
 
-/// A hash of the nodes of a family (FNV-1a, a word at a time).
+/// A hash of the nodes of a family: FNV-1a over words instead of bytes.
 std::uint64_t hash_of_nodes(const ElementFamily& family) {
   constexpr std::uint64_t kBasis = 14695981039346656037u, kPrime = 1099511628211u;
   const int nodes = family.all_nodes_per_element();

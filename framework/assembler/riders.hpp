@@ -8,8 +8,8 @@
 namespace netloft {
 
 /// Whether two families have the same nodes, element by element. A rider is a family that adds forces at the
-/// nodes of another family, such as bending at the bars of a rope. Maps and tilings of a family are valid for
-/// its riders.
+/// nodes of another family, such as bending at the bars of a rope. The maps and tilings of a family are
+/// therefore valid for its riders, too.
 bool have_same_nodes(const ElementFamily& a, const ElementFamily& b);
 
 /// A family and its riders, which share the same tiles. The inputs of a tile are gathered once for all of
@@ -22,7 +22,8 @@ struct FamilyGroup {
   std::vector<std::uint32_t> carried_tiles = {};  // tiles with nodes that a body carries
 };
 
-/// Groups families with the same nodes, in the order of the first family of each group, without tilings.
+/// Puts families with the same nodes in a group. Groups are in the order of their first families, and do not
+/// have tilings yet.
 std::vector<FamilyGroup> find_family_groups(std::span<const std::unique_ptr<ElementFamily>> families);
 
 }  // namespace netloft

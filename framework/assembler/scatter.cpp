@@ -11,8 +11,8 @@ namespace netloft {
 
 namespace {
 
-/// Adds the 3 x 3 blocks of packed lower triangles to the matrix values, for each pair of corners. `Nodes` is
-/// a template parameter so that the loops unroll.
+/// Adds the 3 x 3 blocks of packed lower triangles to the matrix values, for every pair of corners. `Nodes`
+/// is a template parameter so that the loops unroll.
 template <int Nodes>
 void add_lower_blocks(const std::int32_t* map, std::size_t count, const double* __restrict tangent,
                       double* values) {
@@ -49,8 +49,8 @@ void add_twins(const Tiling& tiling, std::size_t tile, const std::int32_t* map, 
 using Two = wide::Two::V;
 using Four = wide::Four::V;
 
-/// The nine entries of a block, row by row, each for all elements (lanes) of a tile. Loads name their vector
-/// type, and registers are passed by value, because deduced types (and, with clang, references) lose the
+/// The nine entries of a block, row by row, each for all elements (lanes) of a tile. Loads state their vector
+/// type explicitly, and registers are passed by value: a deduced type, or a reference in clang, loses the
 /// attribute that permits unaligned access.
 struct Entries {
   std::array<const double*, 9> at;
@@ -92,8 +92,8 @@ NETLOFT_INLINE Entries packed_entries(const double* packed_tangent, int P, int Q
   return entries;
 }
 
-/// values[to + i] += entry i of an element's block, for the two elements from `lane` on. A register holds the
-/// same entry of two elements; registers are transposed first, so that each holds two entries of one element.
+/// values[to + i] += entry i of an element's block, for the elements `lane` and `lane` + 1. A register first
+/// holds the same entry of both elements; after a transposition, it holds two entries of one element.
 template <class EntriesOfLanes>
 NETLOFT_INLINE void add_two_lanes(const std::int32_t* to, const EntriesOfLanes& entries, std::size_t lane,
                                   double* values) {
@@ -212,8 +212,8 @@ void with_nodes(std::size_t dofs, const Add& add) {
   }
 }
 
-/// Divides the moments of elements on bodies, and the rows and columns of rotations in their tangents, by the
-/// arms of the bodies: the unknowns of rotations are lengths.
+/// Divides the moments of elements on bodies by the arms of the bodies, and also the rows and columns of
+/// rotations in their tangents, because the unknowns of rotations are lengths.
 void divide_moments(const Tiling& tiling, std::size_t tile, double* force, double* triangle, double* square) {
   const auto dofs = static_cast<std::size_t>(tiling.family->type().dofs());
   std::array<double, kTileLanes> inverse;

@@ -9,10 +9,10 @@ namespace netloft {
 // to the values of a matrix [N/m]. Moments on bodies are divided by the arm, because the unknowns of
 // rotations are lengths.
 
-/// Adds the forces of the tile without changing them, so that further terms can add to them.
+/// Adds the forces of the tile and keeps them in the tile, so that further terms can add to them.
 void scatter_gradient(const Tiling& tiling, std::size_t tile, TileSums& sums, double* gradient);
 
-/// Adds forces and tangents. The arrays of the tile may be overwritten. A nullptr argument is left out.
+/// Adds forces and tangents. May overwrite the arrays of the tile. An argument that is nullptr is skipped.
 /// `is_symmetric`: the matrix holds its lower triangle only.
 void scatter(const Tiling& tiling, std::size_t tile, bool is_symmetric, TileSums& sums, double* residual,
              double* values);

@@ -10,7 +10,8 @@ namespace netloft {
 
 /// The working memory of one thread for the mean forces of a step on one tile.
 struct StepTile {
-  /// Allocates memory for elements of up to `dofs` degrees of freedom; 0 if no mean forces are used.
+  /// Allocates memory for elements of up to `dofs` degrees of freedom; `dofs` is 0 if no mean forces are
+  /// used.
   explicit StepTile(std::size_t dofs)
       : before(dofs * kTileLanes),
         after(before.size()),
@@ -23,8 +24,8 @@ struct StepTile {
   std::vector<netloft_member> members_before, members, members_after;  // members of each lane
 };
 
-/// One family on one tile of elements, in a step of a motion. Its forces and tangents in the middle of a step
-/// have been summed and are then corrected to mean forces.
+/// One family on one tile of elements, in a step of a motion. Its forces and tangents in the middle of the
+/// step have been summed; they are then corrected to mean forces.
 struct TileOfStep {
   const ElementFamily& family;
   const netloft_tile& tile;

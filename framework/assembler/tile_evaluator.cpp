@@ -10,7 +10,8 @@ namespace netloft {
 
 namespace {
 
-// With fewer tiles of one colour (tiling.hpp) than this, threads cost more than they save (bench_assembly).
+// Least number of tiles of one colour (tiling.hpp) for which several threads are faster than one
+// (bench_assembly).
 constexpr std::size_t kSerialBelow = 8;
 
 }  // namespace
@@ -40,8 +41,9 @@ double TileEvaluator::energy() const {
   return std::accumulate(tile_energy_.begin(), tile_energy_.end(), 0.0);
 }
 
-/// Runs the tiles of a group, colour by colour, because tiles of one colour have no common nodes. If only
-/// energies are requested, tiles write to no common entry, and all of them may run at once.
+/// Evaluates the tiles of a group. Tiles of one colour have no common nodes and run at the same time, one
+/// colour after another. If only energies are requested, no two tiles write to the same entry, and all of
+/// them run at the same time.
 bool TileEvaluator::run_group(const FamilyGroup& group, std::span<const double> x, const Request& request) {
   const Tiling& tiling = group.tiling;
   const auto run = [&](std::size_t begin, std::size_t end) {
@@ -79,8 +81,8 @@ void TileEvaluator::run_tile(const FamilyGroup& group, std::size_t tile, std::sp
   scatter(tiling, tile, tiles_.symmetric, sums, request.residual, request.values);
 }
 
-/// Calls the terms of all families on a tile: those with an energy if `with_energy`, else those without.
-/// Returns false if an element could not be evaluated.
+/// Calls the terms of all families on a tile: the terms with an energy if `with_energy`, otherwise those
+/// without. Returns false if an element could not be evaluated.
 bool TileEvaluator::call_families(const FamilyGroup& group, std::size_t tile, bool with_energy,
                                   const Request& request, Work& work) {
   for (const std::size_t family : group.families) {

@@ -30,13 +30,15 @@ class TileEvaluator {
   double energy() const;
   /// The same as run(), but only for tiles with nodes that bodies carry.
   bool run_carried(std::span<const double> x, const Request& request);
-  /// For each tile of one family, calls evaluate(tile, t, sums), where `t` has zeroed memory for forces, and
-  /// then visit(tile, t, sums). Runs on one thread. Returns false if a status is not NETLOFT_OK: see fault().
+  /// For each tile of one family, calls evaluate(tile, t, sums) and then visit(tile, t, sums). The memory for
+  /// forces in `t` is set to zero before. Runs on one thread. Returns false if a status is not NETLOFT_OK:
+  /// see fault().
   template <class Evaluate, class Visit>
   bool visit(std::span<const double> x, const Kinematics& motion, std::size_t family,
              const Evaluate& evaluate, const Visit& visit);
 
-  /// Sets the memory [width][64] into which terms write their next state, for the next tile of visit().
+  /// Sets the memory [width][64] into which terms write the next state of the tile that visit() receives
+  /// next.
   void take_next_state(double* next) { works_[0]->inputs.extensions.memory.state_new = next; }
 
   const ElementFault& fault() const { return fault_; }

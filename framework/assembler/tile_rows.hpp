@@ -11,9 +11,9 @@
 
 namespace netloft {
 
-/// Rows of 64 numbers to which the terms of a tile (64 elements) add. The first term that opens rows sets
-/// them to zero in the lanes of the tile, unless the previous tile left them zero. Rows that no term opens
-/// cost nothing. Numbers that a term wrongly wrote beyond the last lane are cleared before they are used.
+/// Rows of 64 numbers to which the terms of a tile (64 elements) add. Rows are set to zero, in the lanes of
+/// the tile, when the first term opens them, unless the previous tile left them zero. Rows that no term opens
+/// cost no time. Numbers that a term wrongly wrote beyond the last lane are cleared before they are used.
 class TileRows {
  public:
   explicit TileRows(std::size_t rows) : all_(rows * kTileLanes) {}
@@ -34,7 +34,7 @@ class TileRows {
     lanes_ = lanes;
     return all_.data();
   }
-  /// Whether a term of this tile has opened rows.
+  /// Whether some term of this tile has opened rows.
   bool is_open() const { return rows_ > 0; }
   /// Whether every number that the terms of this tile added is zero.
   bool is_zero() {
@@ -48,9 +48,9 @@ class TileRows {
   }
 
  private:
-  // set_zero() sets kAtOnce rows (2 KiB) to zero in each call of std::fill: libraries fill such an area with
-  // plain stores, but a larger one with instructions that have a long start-up. Single rows would need too
-  // many calls. With up to kManyLanes lanes, rows are cleared eight numbers at a time.
+  // set_zero() sets kAtOnce rows (2 KiB) to zero in each call of std::fill: libraries fill an area of this
+  // size with plain stores, but a larger one with instructions that take long to start. Clearing row by row
+  // would need too many calls. With up to kManyLanes lanes, rows are cleared eight numbers at a time.
   static constexpr std::size_t kAtOnce = 4, kManyLanes = 48, kEight = 8;
 
   void set_zero(std::size_t begin, std::size_t end, std::size_t lanes) {

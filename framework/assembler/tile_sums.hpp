@@ -9,7 +9,7 @@
 namespace netloft {
 
 /// The sums of energies, forces and tangents over the terms of one tile, in rows of 64 numbers. Tangents of
-/// symmetric terms are packed lower triangles, the others full squares, row by row.
+/// symmetric terms are packed lower triangles; all other tangents are full squares, row by row.
 struct TileSums {
   /// Allocates memory for elements of up to `dofs` degrees of freedom. If all matrices are symmetric, no
   /// square tangents are allocated.
@@ -33,7 +33,7 @@ struct TileSums {
   double energy[kTileLanes] = {};  // [J]
   TileRows force;                  // [N]
   TileRows packed_tangent, square_tangent;
-  std::vector<double> scratch;  // a tangent in rows of 64, before its conversion and addition
+  std::vector<double> scratch;  // a tangent in rows of 64, to be converted and added
   std::vector<double> element;  // the tangent of one element, row by row
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 /// Greedy colouring: a tile gets the lowest colour that no other tile at its nodes has.
 std::vector<int> colour_tiles(const ElementFamily& family, std::size_t tiles, std::size_t nodes) {
-  // colours used at a node; tiles that need more than 64 colours are run alone
+  // colours used at a node, one bit each; a tile that would need colour 65 or higher runs alone
   std::vector<std::uint64_t> taken(nodes, 0);
   std::vector<int> colours(tiles);
   int next_alone = 64;
@@ -56,9 +56,8 @@ void map_vectors(const Numbering& numbering, Tiling& tiling) {
           numbering.dof(family.node(e, static_cast<int>(d / 3)), static_cast<int>(d % 3)).place;
 }
 
-/// Returns the index in the array of matrix values at which block (P, Q) of two corners of an element is
-/// added. The result is ~index if the transpose is added instead, and `spare`, an unused block, if a node is
-/// held.
+/// Returns the index in the array of matrix values to which block (P, Q) of two corners of an element is
+/// added; ~index if the transpose is added instead; `spare`, an unused block, if a node is held.
 std::int32_t find_block(const ElementFamily& family, const Scene& scene, const NodeBlocks& blocks,
                         bool symmetric, std::size_t e, int P, int Q, std::size_t spare) {
   const std::uint32_t row = family.node(e, P), column = family.node(e, Q);

@@ -10,8 +10,8 @@ namespace netloft {
 /// A family (all elements of one type) cut into tiles of 64 consecutive elements, with the maps between a
 /// tile's lanes and the global vectors. Two tiles of one colour have no node in common, so that two threads
 /// may scatter them at the same time. Colours are processed in order, so that sums are bit-identical for any
-/// number of threads. (Coloured elements instead of tiles would put the lanes of one tile far apart in
-/// memory.)
+/// number of threads. (If elements were coloured instead of tiles, the nodes of one tile would be far apart
+/// in memory.)
 struct Tiling {
   /// Two corners of an element that are the same node, for instance where netting is gathered to a point.
   /// Block (P, Q) and its transpose (Q, P) then both belong to the diagonal block of this node, but an

@@ -12,8 +12,8 @@
 namespace netloft {
 
 /// A fixed set of threads that divide the indices of a loop among themselves. Allocates nothing after
-/// construction. The calling thread works as well, and each index is taken by whichever thread is free, so
-/// that a thread that starts late or gets no core delays no other.
+/// construction. The calling thread works as well. Each index goes to the first thread that is free, so that
+/// no thread waits for another one that starts late or gets no core.
 class Workers {
  public:
   explicit Workers(int threads) {
@@ -21,7 +21,7 @@ class Workers {
     try {
       for (int i = 1; i < threads; ++i) pool_.emplace_back([this, i] { serve(static_cast<std::size_t>(i)); });
     } catch (const std::system_error&) {
-      // The system has no more threads: the result is bit-identical with fewer.
+      // Ignored: the system has no more threads, and the result is bit-identical with fewer.
     }
     while (ready_.load(std::memory_order_acquire) < pool_.size()) std::this_thread::yield();
   }
@@ -56,17 +56,16 @@ class Workers {
 
  private:
   // The ticket holds the number of the loop, its count and the next index. One atomic operation therefore
-  // takes an index and tells to which loop it belongs: a loop cannot end while one of its indices is not
-  // done.
+  // takes an index of a known loop, and no loop ends before all its indices are done.
   static constexpr std::uint64_t kBits = 24, kMask = (1u << kBits) - 1;
   static std::size_t count_of(std::uint64_t ticket) { return ticket >> kBits & kMask; }
   static std::size_t index_of(std::uint64_t ticket) { return ticket & kMask; }
-  // The number of pauses that take about as long as the system needs to wake a thread. A thread that waits
-  // for this time before it sleeps takes at most twice the time of a thread that knew in advance how long it
-  // had to wait (A. Karlin, M. Manasse, L. McGeoch and S. Owicki, Competitive randomized algorithms for
-  // nonuniform problems, 1990). Measured on two cores of an AMD EPYC: a pause takes 24 ns, and a thread wakes
-  // 21 us after it is called (median of 2000; 18 us for the first tenth), which is 900 pauses. Other
-  // processors differ. No bench prints these figures.
+  // Number of pauses after which a waiting thread goes to sleep; they take about as long as the system needs
+  // to wake a thread. Waiting for this time before sleeping costs at most twice as much as if the thread had
+  // known in advance how long it would have to wait (A. Karlin, M. Manasse, L. McGeoch and S. Owicki,
+  // Competitive randomized algorithms for nonuniform problems, 1990). Measured on two cores of an AMD EPYC: a
+  // pause takes 24 ns, and a thread wakes 21 us after it is called (median of 2000; 18 us for the first
+  // tenth), which is 900 pauses. Other processors differ. No bench prints these figures.
   static constexpr int kSpins = 1000;
 
   static void pause() {
@@ -91,8 +90,7 @@ class Workers {
     return true;
   }
   void serve(std::size_t worker) {
-    calls_of_this_thread();  // allocates this thread's record of plugin calls now, not in the middle of an
-                             // iteration
+    calls_of_this_thread();  // allocates this thread's record of plugin calls here, outside of iterations
     ready_.fetch_add(1, std::memory_order_release);
     while (!stop_) {
       while (take_one(worker)) {

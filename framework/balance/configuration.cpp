@@ -32,7 +32,7 @@ void Configuration::place(std::span<const double> u) {
   if (step_.between) place_end(u);
 }
 
-/// Places the nodes at the end of the step in time, whose midpoint has the displacements u.
+/// Places the nodes at the end of a step in time from the displacements u of its midpoint.
 void Configuration::place_end(std::span<const double> u) {
   StepProblem::Ends& step = *step_.between;
   for (std::size_t i = 0; i < u.size(); ++i) a_[i] = 2 * u[i] - step.u[i];

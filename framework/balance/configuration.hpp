@@ -9,8 +9,8 @@
 
 namespace netloft {
 
-/// A step in time as a problem in the displacements u, in which the residual F vanishes. The time scheme
-/// gives v₀, a₀, cv and ca, so that velocity and acceleration are linear in u:
+/// A step in time as an equation for the displacements u. The time scheme gives v₀, a₀, cv and ca, so that
+/// velocity and acceleration are linear in u:
 ///   F(t, u, v₀ + cv u, a₀ + ca u) = 0                                            (1)
 struct StepProblem {
   double t;
@@ -19,9 +19,9 @@ struct StepProblem {
   std::span<const double> mass;  // mass of each unknown [kg]; ca × mass acts like a stiffness
   MovingState* state;            // receives positions and rates
   double least_load;             // lower bound of the load to which tolerances are relative [N]
-  /// The two ends of the step, for schemes in which F is the mean force over the step
-  /// (netloft_motion::solve_between) and u belongs to its midpoint. Placing the nodes at u updates the end
-  /// `after`. If nullptr, F is the force at u.
+  /// The two ends of the step, for schemes that use the mean force over the step as F
+  /// (netloft_motion::solve_between); u then belongs to its midpoint, and `after` follows from u. If nullptr,
+  /// F is the force at u.
   struct Ends {
     StepEnds ends;
     double begin = 0, end = 0;                 // [s]
@@ -32,16 +32,15 @@ struct StepProblem {
 
 /// Positions and rates of the nodes at displacements u of the unknowns. In a step in time (1), the rates
 /// follow from u. At rest, u is relative to the start of the scene, or to positions near the equilibrium; in
-/// this last case, x_low has the digits that rounding removes from the positions x, so that differences of
+/// the second case, x_low has the digits that rounding removes from the positions x, so that differences of
 /// positions are more accurate.
 class Configuration {
  public:
   explicit Configuration(Assembler& assembler) : assembler_(assembler), x_(assembler.start()) {}
 
-  /// From now on, the displacements u are those in this step in time.
+  /// Begins a step in time: from now on, u are displacements in this step.
   void begin(const StepProblem& step);
-  /// From now on, the displacements u are relative to the positions `base`. Not allowed if bodies carry
-  /// nodes.
+  /// Makes displacements u relative to the positions `base` from now on. Not allowed if bodies carry nodes.
   void count_from(std::vector<double> base);
   void place(std::span<const double> u);
 
@@ -50,7 +49,7 @@ class Configuration {
   /// Digits that rounding removes from the positions x [m]; empty if displacements are relative to the start.
   const std::vector<double>& x_low() const { return x_low_; }
   const Kinematics& motion() const { return motion_; }
-  /// The step in time whose mean forces are evaluated. nullptr: forces are evaluated at u.
+  /// The step in time whose mean forces are evaluated; nullptr if forces are evaluated at u.
   const StepEnds* between() const { return step_.between ? &step_.between->ends : nullptr; }
   bool is_in_time() const { return step_.state != nullptr; }
   /// Whether the scene is at rest and displacements are relative to its start.

@@ -10,8 +10,9 @@ namespace netloft {
 
 namespace {
 
-// The value is chosen: a step of an iteration that still converges, even if only linearly, reduces the
-// residual at least by half, whereas rounding errors fluctuate from one point to the next.
+// Largest ratio of successive residuals that counts as convergence. The value is chosen: an iteration that
+// still converges, even if only linearly, halves the residual in a step, whereas rounding errors go up and
+// down.
 constexpr double kRealReduction = 0.5;
 
 }  // namespace

@@ -23,25 +23,25 @@ inline constexpr double kTolerance = 1e-10;
 ///   at round-off:      r ≤ min(b, β F)                                                    (2)
 /// At rest, both require
 ///   b ≤ β F,   β = kMatters                                                               (3)
-/// If stiffness times the rounding of positions is not small compared with the load, tensions are
-/// undetermined and a small residual is accidental. β is the least imbalance that matters (imbalance.hpp). A
-/// step in time does not require (3), because its rounding error ends with the step.
+/// If (3) is violated, rounding of the positions changes tensions by as much as the load, and a small
+/// residual is accidental. β is the least imbalance that matters (imbalance.hpp). A step in time does not
+/// require (3), because rounding errors of one step do not affect the next.
 /// A gear without external forces, loaded by nothing but rounding errors, is at rest if
 ///   F ≤ b and r ≤ b                                                                       (4)
-/// No gear with an infinite load has converged.
+/// A gear with an infinite load has not converged.
 Convergence convergence_of(const Imbalance& i, double tolerance);
 
 /// Whether an iteration may stop: yes within the tolerance. If only rounding errors seem to be left, it
 /// continues as long as each point has at most half the residual of the point before. Rounding errors do not
-/// fall so steadily. A residual that does is a true imbalance of soft parts, hidden below the rounding errors
-/// of stiff parts.
+/// fall so steadily. A residual that falls like this is a true imbalance of soft parts, hidden below the
+/// rounding errors of stiff parts.
 bool may_stop(Convergence c, double residual, double residual_before);
 
-/// Whether to accept a residual that no step reduces, because twines alternate between slack and taut. The
-/// point counts as converged to round-off if the solver has given up and this function returns true. In
-/// addition, the tangent of an energy must be positive definite, and a full Newton step must raise the
-/// residual (`no_step_helps` in assessment.cpp). The function requires (3), r ≤ β F and (5), where g is the
-/// energy that a Newton step would gain and L the size of the gear:
+/// Whether to accept a residual that no step reduces because twines alternate between slack and taut. If the
+/// solver has given up, the point then counts as converged to round-off, provided that the tangent is
+/// positive definite and that a full Newton step raises the residual (`no_step_helps` in assessment.cpp). The
+/// function requires (3), r ≤ β F and (5), where g is the energy that a Newton step would gain and L the size
+/// of the gear:
 ///   g ≤ ε₀ F L,   ε₀ = kTolerance                                                         (5)
 /// With g ≈ ½ r δ, the error of the positions is δ ≈ 2e-7 L at r = β F. A smaller r allows a larger error, up
 /// to √(2 ε₀) L at a stiffness of F/L.

@@ -14,8 +14,8 @@
 
 namespace netloft {
 
-/// Properties of a matrix that are known before it is factorised. Positive definite and symmetric matrices
-/// are given by the values of their lower triangle.
+/// Properties of a matrix that are known before it is factorised. Only the lower triangle of a positive
+/// definite or symmetric matrix is given.
 enum class MatrixClass { positive_definite, symmetric, unsymmetric };
 
 enum class FactorStatus { ok, not_positive_definite, singular, out_of_memory, failed };
@@ -42,12 +42,12 @@ inline netloft_factor factor_code(FactorStatus status) {
 }
 
 /// A direct factorisation of one sparse pattern, analysed once and factorised many times.
-/// Implementations live with the solvers; the framework only counts and times the calls.
+/// Its implementations are in solvers/factorisation; the framework only counts and times the calls.
 class Factorisation {
  public:
   virtual ~Factorisation() = default;
 
-  /// Name of the method, of the library if it is not our own, and of the ordering, for reports:
+  /// Names of the method, of the library (unless it is our own) and of the ordering, for reports:
   /// "multifrontal LU, METIS on the node graph".
   virtual std::string description() const = 0;
 

@@ -10,7 +10,7 @@ namespace netloft {
 
 struct JudgedPoint;  // defined in assessment.hpp
 
-/// Reason for which the host stopped a solver.
+/// Why the host stopped a solver.
 enum class Stop { none, arrived, iterations, time, work, interrupted, ran_away, unsettled };
 
 /// How the final point of a solver is assessed.
@@ -22,13 +22,13 @@ struct Judging {
 
 struct Limits {
   double tolerance = kTolerance;  // largest nodal residual over the largest nodal load
-  // Largest number of iterations of one solve. It does not bound a strategy, which may continue from where
-  // the limit ended a solve.
+  // Largest number of iterations of one solve. It does not limit a strategy, which may continue from the
+  // final point of a solve.
   int iterations = 1000;
   double seconds = std::numeric_limits<double>::infinity();  // processor time that the user allows
   const std::atomic<bool>* interrupt = nullptr;
-  // Upper limit of the path: the sum of the lengths of all steps, divided by the gear's size. A gear whose
-  // path exceeds this limit does not come to rest.
+  // Upper limit of the path: the sum of the lengths of all steps, divided by the gear's size. If the path of
+  // a gear exceeds this limit, the gear does not come to rest.
   double path = std::numeric_limits<double>::infinity();
   const WorkModel* model = nullptr;                       // nullptr: work is not limited
   double work = std::numeric_limits<double>::infinity();  // budget, in units of the model

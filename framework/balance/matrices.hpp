@@ -10,14 +10,14 @@
 namespace netloft {
 
 /// The matrices of a problem: the tangent K, its convex part K₊ (positive semi-definite) and the metric M. K
-/// and K₊ are those of the last evaluation that computed them. M is the linear stiffness at the start of the
+/// and K₊ come from the last evaluation that computed them. M is the linear stiffness at the start of the
 /// scene, evaluated at its first use. Solvers use sums of these matrices:
 ///   A + σ M,   A = K, K₊ or 0                                                            (1)
 ///   K + θ (K₊ − K) + σ M                                                                 (2)
 class Matrices {
  public:
   /// Counts time in `statistics`, which must outlive this object. Reserves memory for all matrices, so that
-  /// no iteration allocates. The system provides this memory only when it is used.
+  /// no iteration allocates. The operating system provides this memory only when it is used.
   Matrices(Assembler& assembler, Statistics& statistics);
 
   /// The array to which an evaluation writes the values of a matrix.
@@ -34,8 +34,8 @@ class Matrices {
   /// evaluated.
   bool row_sums(int matrix, double shift, double* y);
 
-  /// Moves the array of a matrix to the caller, who can use its memory. The matrix then counts as not
-  /// evaluated.
+  /// Moves the array of a matrix to the caller, who can use its memory; the matrix then has to be evaluated
+  /// again.
   std::vector<double> give_away(MatrixKind kind) { return std::exchange(slots(kind), {}); }
 
   /// Evaluates the linear stiffness M if this has not been done yet.

@@ -5,8 +5,8 @@
 namespace netloft {
 
 /// Positions and rates of all degrees of freedom at one moment, computed from those of the unknowns and of
-/// the guides (given paths of held nodes). Damping in proportion to mass, a force c M v, equals the inertia
-/// of an acceleration c v, which is added to a.
+/// the guides (given paths of held nodes). Mass-proportional damping, a force c M v, is the inertia of an
+/// acceleration c v, which is therefore added to a.
 class MovingState {
  public:
   MovingState(const Assembler& assembler, double mass_damping)
@@ -27,8 +27,8 @@ class MovingState {
   double t() const { return t_; }
   const std::vector<double>& x() const { return x_; }
   const std::vector<double>& v() const { return v_; }
-  /// The motion of the nodes, as argument of an evaluation by the assembler. The requested matrix is ∂F/∂u
-  /// for rates that depend on u by dv/du = cv, da/du = ca.
+  /// The motion of the nodes, for an evaluation by the assembler. A matrix is then ∂F/∂u with the derivatives
+  /// dv/du = cv and da/du = ca.
   Kinematics motion(double cv = 0, double ca = 0) const {
     return {t_, v_.data(), a_.data(), 1, cv, ca + mass_damping_ * cv};
   }
@@ -39,7 +39,7 @@ class MovingState {
   std::vector<double> x_, v_, a_;
 };
 
-/// Midpoint of a step for which the time scheme balances mean forces (netloft_motion::solve_between).
+/// Midpoint of a step whose mean forces the time scheme balances (netloft_motion::solve_between).
 struct MeanStep {
   double t = 0;                   // [s]
   std::vector<double> u, v, a;    // state of the unknowns, as the time scheme sets it [m], [m/s], [m/s²]

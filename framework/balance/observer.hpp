@@ -8,8 +8,8 @@
 
 namespace netloft {
 
-/// The accepted point of the scene with the smallest ratio of residual to load so far. This point becomes the
-/// result if the run is stopped from outside because its solver does not return.
+/// The accepted point of the scene with the smallest ratio of residual to load so far. If a solver does not
+/// return and the run is stopped from outside, this point becomes the result.
 struct KeptPoint {
   std::vector<double> u;           // displacements of the unknowns [m]; empty: no point yet
   double residual = 0, scale = 0;  // [N]

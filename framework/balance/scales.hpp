@@ -34,9 +34,9 @@ class Scales {
 
   /// Longest extent of an element [m]; 1 if there is none.
   double element_size() const { return element_size_; }
-  /// Largest difference between any coordinate and the first one at the start [m]; at least 1.
+  /// Largest difference, along an axis, between any node and the first node at the start [m]; at least 1.
   double gear_size() const { return gear_size_; }
-  /// Largest nodal sum of the forces that do not depend on the state [N].
+  /// Largest force on a node by forces that do not depend on the state [N].
   double dead_load() const { return dead_load_; }
 
   /// Forces that drive the gear: those that do not depend on the state (such as weight), and those without an
@@ -45,8 +45,8 @@ class Scales {
     double largest = 0, sum = 0;  // norms of nodal forces: the largest, and their sum over all nodes [N]
   };
   DrivingLoad driving_load();
-  /// Whether an external force acts on the elements. The first call decides this at its positions x; later
-  /// calls return the same.
+  /// Whether an external force acts on the elements. The first call determines this at positions x; later
+  /// calls return the same value.
   bool is_driven(std::span<const double> x);
 
  private:

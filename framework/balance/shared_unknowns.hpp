@@ -7,8 +7,8 @@
 namespace netloft {
 
 /// Whether an unknown belongs to all elements of a part together, such as the front of a catch. Such an
-/// unknown is no position and has no mass. Its equation contains no rates, so that its history does not
-/// matter.
+/// unknown is no position and has no mass. Its equation contains no rates, so that it does not depend on the
+/// past.
 inline bool is_shared(const Assembler& assembler, std::size_t i) {
   if (assembler.is_place(i)) return false;
   const std::uint32_t node = assembler.numbering().node(Dof(i));

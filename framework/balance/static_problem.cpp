@@ -23,7 +23,7 @@ MatrixKind kind_of(std::uint32_t want) {
 
 bool all_finite(std::span<const double> v) {
   double sum = 0;
-  for (const double a : v) sum += a - a;  // zero unless a number is infinite or NaN
+  for (const double a : v) sum += a - a;  // the sum is zero unless a number is infinite or NaN
   return sum == 0;
 }
 
@@ -139,8 +139,8 @@ int StaticProblem::evaluate_both(const double* u, double* energy, double* residu
   return find_forces(request, u, residual);
 }
 
-/// Begins an evaluation at u. The mean forces of a step in time are not the gradient of an energy. Their
-/// energy is therefore given as zero, so that solvers treat them like forces without an energy.
+/// Begins an evaluation at u. The mean forces of a step in time are not the gradient of an energy. The energy
+/// of such a step is therefore set to zero, so that solvers treat it like forces without an energy.
 Request StaticProblem::begin_evaluation(const double* u, double* energy) {
   statistics_.energies += energy != nullptr;
   bad_numbers_ = met_error_ = false;
@@ -153,8 +153,8 @@ Request StaticProblem::begin_evaluation(const double* u, double* energy) {
   return request;
 }
 
-/// Writes the forces of the unknowns into `residual`. Forces of all degrees of freedom, with the reactions,
-/// remain in residual_.
+/// Writes the forces of the unknowns into `residual`. The forces of all degrees of freedom, including the
+/// reactions, remain in residual_.
 int StaticProblem::find_forces(const Request& asked, const double* u, double* residual, double* gradient) {
   Request request = asked;
   auto& all = request.conservative_only ? gradient_ : residual_;
@@ -266,7 +266,7 @@ Balance StaticProblem::balance(std::span<const double> x, std::span<const double
             });
   const Convergence c = convergence_of(imbalance_of(b), limits_.tolerance);
   b.at_round_off = c == Convergence::at_round_off;
-  // Far away from the start, rounding errors hide any residual.
+  // The gear must not have run away: far from the start, rounding errors are larger than any residual.
   b.balanced = c != Convergence::none && !has_run_away(x);
   return b;
 }
@@ -279,17 +279,17 @@ Imbalance StaticProblem::imbalance_of(const Balance& b) {
 }
 
 /// Upper bound of the residual of one unknown that rounding can cause. Forces are computed from differences
-/// of coordinates. Their error is the stiffness times the rounding error of a position or, if the digits
-/// beyond double precision are known, of a difference.
+/// of coordinates, so that their error is a stiffness times a rounding error: that of a position or, if the
+/// digits beyond double precision are known, that of a difference.
 double StaticProblem::rounding_at(std::int32_t unknown, std::span<const double> x) const {
   const auto i = static_cast<std::size_t>(unknown);
   const double stiffness = matrices_.metric_at(unknown) + configuration_.stiffness_of_inertia(i);
   return 4 * std::numeric_limits<double>::epsilon() * stiffness * configuration_.rounded_length(x[i]);
 }
 
-/// Whether the gear has run away: practically nothing resists the load. If a load F is balanced after its
-/// node has moved by d, something resists it with a stiffness of F/d. A load alone, such as the weight of a
-/// pendulum of length L, resists with the stiffness F/L. The gear has run away if F/d ≤ kMatters F/L.
+/// Whether the gear has run away: practically nothing resists the load. If a node has moved by d before its
+/// load F is balanced, the stiffness against this load is F/d. Gravity alone gives a pendulum of length L and
+/// weight F the stiffness F/L. The gear has run away if F/d ≤ kMatters F/L.
 bool StaticProblem::has_run_away(std::span<const double> x) const {
   double largest = 0;
   for (std::size_t i = 0; i < x.size(); ++i)

@@ -22,8 +22,9 @@ struct SolverChoice {
   const void* parameters = nullptr;
 };
 
-/// Calls the solver. During the call, its plugin is recorded as running, so that a crash can be explained
-/// (plugin_call.hpp). Throws std::runtime_error if the plugin breaks a rule of the plugin interface.
+/// Calls the solver. During the call, its plugin is recorded as running (plugin_call.hpp), so that the
+/// message about a crash can name it. Throws std::runtime_error if the plugin breaks a rule of the plugin
+/// interface.
 netloft_outcome call_solver(SolverChoice solver, netloft_problem& problem);
 
 /// How well forces are in balance at a point. Loads are the dead loads on nodes and the reactions of held
@@ -42,8 +43,7 @@ struct Balance {
   }
 };
 
-/// Length of a solver's path: the sum, over the steps from one accepted point to the next, of the largest
-/// nodal displacement.
+/// Length of a solver's path: the sum over all accepted steps of the largest nodal displacement in the step.
 class PathLength {
  public:
   double up_to(std::span<const double> u);
@@ -81,9 +81,9 @@ class StaticProblem {
   Imbalance imbalance_of(const Balance& b);
   Scales& scales() { return scales_; }
   const Scales& scales() const { return scales_; }
-  /// Makes a step in time the problem to be solved, in place of the previous step or the scene at rest.
+  /// Begins a step in time: from now on, its equations are the problem to be solved.
   void begin(const StepProblem& step);
-  /// Makes u relative to the positions `base`, near the solution of the problem (Configuration).
+  /// Makes displacements u relative to the positions `base`, which are near the solution (see Configuration).
   void count_from(std::vector<double> base);
   /// Positions of all dofs at displacements u [m].
   const std::vector<double>& positions(std::span<const double> u);
@@ -91,7 +91,7 @@ class StaticProblem {
   /// relative to the start.
   const std::vector<double>& x_low() const { return configuration_.x_low(); }
   void forget_factor() { factors_.forget(); }
-  /// The factorisations of this problem, for other matrices of the same pattern.
+  /// The factorisations of this problem, which can also factorise other matrices of the same pattern.
   Factors& factors() { return factors_; }
   Matrices& matrices() { return matrices_; }
   bool conservative() const { return interface_.traits & NETLOFT_CONSERVATIVE; }
@@ -139,8 +139,7 @@ class StaticProblem {
   double begun_ = 0, begun_cpu_ = 0;  // [s]
   char message_[256] = "";
   std::vector<double> u_, residual_, gradient_;
-  std::vector<double> reactions_of_;  // displacements u at which the reactions in residual_ were computed;
-                                      // empty: no reactions
+  std::vector<double> reactions_of_;  // displacements u of the reactions in residual_; empty: no reactions
 };
 
 }  // namespace netloft

@@ -9,7 +9,7 @@ namespace netloft {
 
 namespace {
 
-// a, c, d of (3) and (4) in work.hpp, measured by tests/bench/work_model.cpp.
+// The constants a, c and d of (3) and (4) in work.hpp, as tests/bench/work_model.cpp measured them.
 constexpr double kPerEntry = 20, kPerResidual = 4, kPerMatrix = 12;
 
 struct FactorSize {

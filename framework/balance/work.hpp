@@ -9,9 +9,9 @@ namespace netloft {
 
 class Assembler;
 
-/// Cost of each operation of a solve, in floating-point operations of a factorisation. The cost is known
-/// before the first solution, and is the same on every machine and in every run. Budgets are given in units
-/// of one Newton iteration of the original scene:
+/// Cost of each operation of a solve, in floating-point operations of a factorisation. It is known before the
+/// first solution, and is the same on every machine and in every run. Budgets are given in units of one
+/// Newton iteration of the original scene:
 ///   unit = factorisation + solution + matrix + residual of that scene                       (1)
 ///   work = Σ count × cost / unit                                                            (2)
 struct WorkModel {
@@ -19,9 +19,9 @@ struct WorkModel {
   double unit = 1;  // cost of one iteration of the original scene, (1)
 
   double of_iteration() const { return factorisation + solution + matrix + residual; }
-  /// The work of these operations by (2). Factorisations that end early count in full, because most of their
-  /// work was done. Evaluating an energy costs as much as a residual, or nothing if the residual is evaluated
-  /// at the same point.
+  /// The work of these operations by (2). A factorisation that ended early counts in full, because most of
+  /// its work was done. Evaluating an energy costs as much as a residual, or nothing if the residual is
+  /// evaluated at the same point.
   double of(const Statistics& statistics) const {
     const int evaluations = std::max(statistics.residuals, statistics.energies);
     return (statistics.factorisations * factorisation + statistics.solves * solution +
@@ -35,19 +35,19 @@ struct WorkModel {
 /// terms × (degrees of freedom)² measures the elements.
 ///   factorisation = F + a N                                                                 (3)
 ///   solution = a N,   residual = c S,   matrix = d S                                        (4)
-/// The constants a, c and d are times, expressed in operations of a large factorisation, which makes 20
+/// The constants a, c and d are times, expressed in operations of a large factorisation, which performs 20
 /// operations per nanosecond. A solution has 4 N operations but waits for memory. The second term of (3) is
 /// the time for which a factorisation waits for memory. tests/bench/work_model.cpp prints the times of this
-/// model and the measured ones: for panels and a trawl of 216 to 100 000 unknowns, they agree to a factor
-/// of 1.7 for iterations and factorisations, and to a factor of 4.5 for the other operations, of which there
-/// are few.
+/// model and the measured ones: for panels and a trawl of 216 to 100 000 unknowns, they agree to a factor of
+/// 1.7 for iterations and factorisations, and to a factor of 4.5 for the other operations, of which there are
+/// few.
 ///
 /// `unit` is (1) of the scene itself. If the factorisation does not report F before its first use, F and N
 /// are those of nested dissection of a square grid of n nodes with three unknowns each. With one unknown per
 /// node, Cholesky's factor has 31/4 n log₂ n entries and takes 829/84 n^(3/2) multiplications, and L U
 /// twice as many (A. George, Nested dissection of a regular finite element mesh, SIAM J.
 /// Numer. Anal. 10, 1973); three unknowns per node take 9 times as many entries and 27 times as many
-/// multiplications. A `make` that caches analyses reuses this analysis in the solver.
+/// multiplications. If `make` caches analyses, the solver uses this analysis again.
 WorkModel make_work_model(const Assembler& assembler, const MakeFactorisation& make);
 
 }  // namespace netloft

@@ -8,7 +8,8 @@ namespace netloft::conformance {
 
 namespace {
 
-/// Name of the first number of element `lane` that is not finite, "force[4]"; empty if all are finite.
+/// Name of the first number of element `lane` that is not finite, such as "force[4]"; empty if all are
+/// finite.
 std::string not_finite(const std::vector<double>& values, const char* name, std::size_t lane) {
   for (std::size_t row = 0; row * kLanes < values.size(); ++row)
     if (!std::isfinite(values[at(row, lane)])) return std::string(name) + "[" + std::to_string(row) + "]";
@@ -22,7 +23,7 @@ std::string not_finite(const Answer& a, std::size_t lane) {
   return {};
 }
 
-/// Describes the first answer to these states that is not finite. (A term may refuse states outside its
+/// For these states, describes the first answer that is not finite. (A term may refuse states outside its
 /// domain.)
 std::string fault_of_terms(const Bench& b, const States& s) {
   for (const auto& term : b.type.terms)
@@ -49,8 +50,8 @@ std::string fault_of_outputs(const Bench& b, const States& s) {
   return {};
 }
 
-/// Evaluates the states of one element (lane) at a time, because one element outside its domain determines
-/// the status of a whole tile.
+/// Evaluates one element (lane) at a time, because a single element outside its domain makes the call fail
+/// for the whole tile.
 std::string fault_one_by_one(Bench& b, const States& all) {
   for (std::size_t lane = 0; lane < all.count; ++lane) {
     States one = b.tiles[all.first / kLanes];
@@ -67,8 +68,9 @@ States collapsed(const Bench& b, States s) {
   return s;
 }
 
-/// States at rest: without motion, with the nodes of an element one length apart, on a line for pairs of bars
-/// and along the axes for other elements. The description of an element does not define rest more precisely.
+/// States at rest: nothing moves, and neighbouring nodes of an element are one length apart, on a line for
+/// pairs of bars and along the axes for other elements. Nothing in the description of an element defines rest
+/// more precisely.
 States resting(const Bench& b, const States& like) {
   States s = b.blank(like.first, like.count);
   const bool straight = b.type.element.stencil == NETLOFT_BAR_PAIR;

@@ -45,7 +45,7 @@ void Bench::make_elements() {
       refusal = e.what();
       const std::size_t part = sample.part[e.element];
       sampler.data(sample, e.element);
-      // A combination of defaults may be refused, so that parameters are drawn again as well.
+      // The plugin may refuse a combination of defaults. Therefore parameters are drawn again, too.
       if (tries % 10 == 9) sample.parameters[part] = sampler.parameters(std::max<std::size_t>(part, 1));
     } catch (const Escaped& e) {
       escape = e.what();
@@ -77,7 +77,7 @@ void Bench::settle(States& s) {
   error = "all of " + std::to_string(kTriesPerState) + " sampled states are outside the domain of some term";
 }
 
-/// Gives every other element the memory of a state nearby.
+/// Every other element gets the memory that it would have after a state nearby.
 void Bench::remember(States& s) {
   if (s.memory.empty()) return;
   std::vector<double> step(kLanes, 0.0);

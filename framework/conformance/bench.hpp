@@ -10,8 +10,8 @@
 
 namespace netloft::conformance {
 
-/// The threads of this program, by the numbers that the system gives them, in ascending order; an empty list
-/// if the system does not report them.
+/// The threads of this program: their numbers in the system, in ascending order; empty if the system does not
+/// report them.
 using Threads = std::vector<int>;
 Threads threads_now();
 int number_of_this_thread();
@@ -24,12 +24,12 @@ struct Bench {
   Bench(const ElementType& type, const ConformanceOptions& options);
 
   std::size_t dofs() const { return static_cast<std::size_t>(type.dofs()); }
-  /// Whether a degree of freedom belongs to the rotation of a body.
+  /// Whether this degree of freedom belongs to the rotation of a body.
   bool is_turn(std::size_t dof) const { return type.is_on_body() && dof / 3 == 1; }
   /// An element in words: "term elastic, element 12".
   std::string place(const netloft_term& term, const States& states, std::size_t lane) const;
-  /// Shortest distance between two nodes of element `lane` [m], at least 1e-6 of its size; 1 m if it has a
-  /// single node or is on a body.
+  /// Shortest distance between two nodes of element `lane` [m], at least 1e-6 of its size; 1 m if the element
+  /// has a single node or belongs to a body.
   double spacing(const States& states, std::size_t lane) const;
   double size(const States& states, std::size_t lane) const {
     return sampler.size(sample, states.first + lane);
@@ -61,11 +61,11 @@ struct Bench {
 };
 
 /// Returns states displaced by step × direction, with one step per element and `direction` [dof][64]. The
-/// current changes by its derivative with respect to depth.
+/// current is changed according to its derivative with respect to depth.
 States moved(const States& states, const std::vector<double>& direction, const std::vector<double>& step);
 
 bool same_bits(double a, double b);
-/// Whether element `i` has the same bits in one array as element `j` in another.
+/// Whether the numbers of element `i` in one array and of element `j` in another are bit-identical.
 bool same_lane(const std::vector<double>& a, std::size_t i, const std::vector<double>& b, std::size_t j);
 
 /// The largest (worst) figure of a check and its place. NaN counts as infinite.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks of elements on rigid bodies: results must not depend on the numbers in which a rotation is
-// expressed.
+// Checks of elements on rigid bodies: results must not depend on which of several rotation vectors describes
+// a rotation.
 #include "framework/conformance/carried_answers.hpp"
 #include "framework/conformance/checks.hpp"
 
@@ -15,7 +15,7 @@ constexpr double kTurn = 6.283185307179586;
 
 using V = Vec3<double>;
 
-/// Reads three rows of a field [dof][64], those of the origin or those of the rotation.
+/// Reads three rows of a field [dof][64]: those of the body's origin, or those of its rotation.
 V read(const std::vector<double>& field, std::size_t first, std::size_t lane) {
   return {field[at(first, lane)], field[at(first + 1, lane)], field[at(first + 2, lane)]};
 }
@@ -23,8 +23,7 @@ void write(std::vector<double>& field, std::size_t first, std::size_t lane, cons
   for (std::size_t k = 0; k < 3; ++k) field[at(first + k, lane)] = value[static_cast<int>(k)];
 }
 
-/// Whether a rotation vector is close to a full turn, at which its rate does not determine the angular
-/// velocity.
+/// Whether a rotation vector is close to a full turn, where its rate does not determine the angular velocity.
 bool is_near_a_turn(const V& psi) {
   const double turns = norm(psi) / kTurn;
   return turns > 0.5 && std::abs(turns - std::round(turns)) < 0.1;
@@ -59,8 +58,8 @@ void write_body(const Moving& m, const V& psi, States& s, std::size_t lane) {
 /// The moment that does the same work as a generalised force on a rotation vector.
 V moment_of(const V& psi, const V& generalised) { return rate_of_spin(-psi, generalised); }
 
-/// Transforms the states of a tile's elements and the answers for them. `carry(motion, psi)` changes the
-/// motion and returns the new rotation vector; `turn(vector, is_axial)` transforms a force or moment.
+/// Transforms the states of a tile's elements, and their answers. `carry(motion, psi)` changes the motion and
+/// returns the new rotation vector; `turn(vector, is_axial)` transforms a force or moment.
 template <class Carry, class Turn>
 void carry_lanes(const States& from, const Answer& answer, const Carry& carry, const Turn& turn, States& to,
                  Answer& expected) {
@@ -88,8 +87,8 @@ States away_from_turns(Bench& b, States s) {
   return s;
 }
 
-/// Compares a term before and after a rotation of the world by the vector `by`. For terms that distinguish
-/// the vertical (gravity, a bed, a current that varies with depth), `by` is along z.
+/// Compares a term before and after a rotation of the world by the vector `by`. If the vertical matters to
+/// the term (gravity, a bed, a current that varies with depth), `by` must be along z.
 void note_in_turned_world(Bench& b, const netloft_term& term, States s, const V& by, Worst& worst) {
   const auto turn = [&](const V& w, bool) { return rotated(by, w); };
   const auto carry = [&](Moving& m, const V& psi) {
@@ -147,8 +146,8 @@ Finding full_turns_change_nothing(Bench& b) {
   return judged(worst, "there are no terms");
 }
 
-/// Compares an element with its mirror image at y = 0, which is the body on the other side of the gear. The
-/// reflection reverses x and z of axial vectors, and y of all others.
+/// Compares an element with its mirror image at y = 0, the body on the other side of the gear. A reflection
+/// reverses the components x and z of axial vectors, and the component y of all other vectors.
 Finding sides_mirror_each_other(Bench& b) {
   const auto is_side = [](const netloft_datum& d) { return std::string_view(d.name) == datum::kSide.name; };
   const auto at = std::ranges::find_if(b.type.data, is_side);

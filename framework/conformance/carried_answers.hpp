@@ -12,7 +12,7 @@ inline constexpr double kMotionLimit = 1e-8;
 
 inline bool is_from_outside(const netloft_term& term) { return term.traits & NETLOFT_FROM_OUTSIDE; }
 
-/// The bits of all results that a term can give, except its matrix.
+/// The request for all results that a term can give, except its matrix.
 inline std::uint32_t all_of(const netloft_term& term) {
   return NETLOFT_WANT_FORCE | (term.traits & NETLOFT_CONSERVATIVE ? std::uint32_t{NETLOFT_WANT_ENERGY} : 0u);
 }
@@ -29,8 +29,8 @@ inline double difference(const Bench& b, const Answer& one, const Answer& two, c
   return std::max(worst, ratio(one.energy[lane] - two.energy[lane], energy));
 }
 
-/// Compares the answer at the transformed states `there` with `expected`, the transformed answer at the
-/// states `s`.
+/// Compares the answer at the transformed states `there` with `expected`: the answer at the states `s`,
+/// transformed.
 inline void compare(Bench& b, const netloft_term& term, const States& s, const Answer& expected,
                     const States& there, Worst& worst) {
   const Answer found = b.specimen->evaluate(term, there, all_of(term));

@@ -11,10 +11,10 @@ namespace {
 constexpr const char* kIsNoFlow = "it is not a flow";
 constexpr double kTurnOfCurrent = 0.7;     // rotation of the current [rad]
 constexpr double kRoundingOfTurn = 1e-12;  // rounding of a rotation
-constexpr double kWaterStep = 1e-6;        // step of central differences, in m/s and in units of the unknowns
-constexpr double kWaterLimit = 1e-6;       // their error, of a derivative of the order of 1
+constexpr double kWaterStep = 1e-6;        // step of central differences, in m/s or in units of the unknowns
+constexpr double kWaterLimit = 1e-6;       // error of these differences, for a derivative of the order of 1
 
-/// The question to a flow about 64 places, and its answer.
+/// Input of a flow for 64 places, and its output.
 struct WaterOfFlow {
   explicit WaterOfFlow(const Bench& b, const States& s) : unknown_count(b.type.globals.size()) {
     const std::size_t last = b.dofs() - 3;
@@ -53,7 +53,7 @@ void turn_rows(double* rows) {
   }
 }
 
-/// The answer of the flow after one row of its inputs has changed by `step`.
+/// The output of the flow after a change of one row of its input by `step`.
 WaterOfFlow stepped(const Bench& b, WaterOfFlow water, double (WaterOfFlow::*inputs)[3 * kLanes],
                     std::size_t row, double step) {
   for (std::size_t lane = 0; lane < kLanes; ++lane) (water.*inputs)[at(row, lane)] += step;
@@ -61,7 +61,7 @@ WaterOfFlow stepped(const Bench& b, WaterOfFlow water, double (WaterOfFlow::*inp
   return water;
 }
 
-/// Calls visit(water) for the water at each sampled tile, after the flow has answered.
+/// Calls visit(water) for each sampled tile, after the flow has computed the water there.
 template <class Visit>
 Finding visit_water(Bench& b, double limit, const Visit& visit) {
   if (!b.type.is_flow()) return not_applicable(kIsNoFlow);
@@ -89,7 +89,7 @@ Finding water_is_undisturbed_out_of_reach(Bench& b) {
 
 Finding water_has_its_derivatives(Bench& b) {
   return visit_water(b, kWaterLimit, [&](const WaterOfFlow& water, Worst& worst) {
-    // `derivative` has component r of the derivative of the vector in row r * stride.
+    // Component r of the derivative of a vector is in row r * stride of `derivative`.
     const auto compare = [&](const double* after, const double* before, const double* derivative,
                              std::size_t stride) {
       for (std::size_t r = 0; r < 3; ++r)

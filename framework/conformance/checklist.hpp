@@ -11,12 +11,12 @@ template <class Bench>
 struct Check {
   const char* name;
   Finding (*run)(Bench&);
-  // Names of other checks. This check is skipped if one of them failed, or was skipped because of a failure.
+  // Names of other checks. If one of them failed, or was skipped because of a failure, this check is skipped.
   std::vector<const char*> depends_on;
   const char* hint;
 };
 
-/// Names of checks that failed, and of those skipped as a consequence.
+/// Names of checks that failed, and of checks skipped because of them.
 class Doubtful {
  public:
   void add(std::string name) { names_.push_back(std::move(name)); }
@@ -31,7 +31,7 @@ class Doubtful {
   std::vector<std::string> names_;
 };
 
-/// While the object exists, all threads can read the name of the running check.
+/// Lets all threads read the name of the running check, as long as this object exists.
 class UnderWay {
  public:
   explicit UnderWay(const char* name);

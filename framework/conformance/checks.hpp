@@ -12,7 +12,7 @@ struct Finding {
 
 inline Finding not_applicable(const char* why) { return {true, true, 0, 0, why}; }
 inline Finding failed(std::string detail) { return {false, false, 0, 0, std::move(detail)}; }
-/// Passed if no figure exceeds the limit; skipped if there were none.
+/// The check passed if no figure exceeds the limit. It is skipped if there are no figures.
 Finding judged(const Worst& worst, const char* nothing_noted);
 /// Result of a check without a figure: passed if `fault` is empty.
 Finding judged(const std::string& fault);

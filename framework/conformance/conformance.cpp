@@ -12,7 +12,7 @@ namespace {
 
 using namespace conformance;
 
-// A check follows those on which it depends.
+// The order matters: a check comes after the checks on which it depends.
 const std::vector<Check<Bench>>& table() {
   static const std::vector<Check<Bench>> checks = {
       {"defaults-are-allowed",
@@ -211,7 +211,7 @@ bool ConformanceReport::passed() const {
 
 namespace {
 
-/// The kinds of laws with which the element is tested: all that it accepts.
+/// The kinds of laws that the element accepts: it is tested with all of them.
 std::vector<std::uint32_t> law_kinds(const ElementType& type) {
   std::uint32_t accepted = 0;
   for (const auto& slot : type.laws) accepted |= slot.accepts;

@@ -10,13 +10,13 @@
 namespace netloft {
 
 struct ConformanceOptions {
-  // Seed of the sampled parameters, data and states; one seed always gives one report.
+  // Seed of the sampled parameters, data and states; the same seed always gives the same report.
   std::uint64_t seed = 1;
   int elements = 100;  // sampled elements, 1 … 640
   int directions = 3;  // number of directions in checks of slopes, 1 … 100
   bool timings = true;
-  std::uint32_t law_kind =
-      0;  // kind of laws that the element uses in the tests; 0: every kind that it accepts, in turn
+  std::uint32_t law_kind = 0;  // kind of laws that the element uses in the tests; 0: one kind after the
+                               // other, as far as it accepts them
 };
 
 /// Result of one check. A check is skipped if it does not apply, or if another check that it depends on
@@ -55,7 +55,7 @@ ConformanceReport check_law(const LawType& type, const ConformanceOptions& optio
 /// Checks a solver, with small problems whose solutions are known (practice.hpp).
 ConformanceReport check_solver(const SolverType& type, const ConformanceOptions& options = {});
 
-/// Checks an integrator, with a motion that is known (practice_motion.hpp).
+/// Checks an integrator, with a motion whose solution is known (practice_motion.hpp).
 ConformanceReport check_integrator(const IntegratorType& type, const ConformanceOptions& options = {});
 
 /// Checks a strategy, with searches of small scenes (practice_search.hpp).
@@ -66,7 +66,8 @@ ConformanceReport check_file(const std::filesystem::path& file);
 /// Name of the check that is running, for the report of a crash; nullptr between checks.
 const char* check_under_way();
 
-/// Names of all checks in their order: of elements, laws, solvers, integrators and strategies.
+/// Names of all checks in the order in which they run: of elements, laws, solvers, integrators and
+/// strategies.
 std::vector<std::string> conformance_checks();
 std::vector<std::string> law_checks();
 std::vector<std::string> solver_checks();

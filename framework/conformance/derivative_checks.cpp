@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Derivatives are compared with central differences over a range of steps, and the best step counts for each
-// state: large steps suffer from curvature, small ones from rounding, and a kink affects only steps that
-// reach over it. A state that fails with every step is on a kink if its one-sided differences differ by more
-// than half of the error. Such states are ignored, but at most a tenth of all states may be.
+// state: large steps suffer from curvature, small ones from rounding, and a kink only matters to steps that
+// reach across it. If a state fails with every step, it is on a kink if its one-sided differences differ by
+// more than half of the error. States on a kink are ignored, but at most a tenth of all states may be on one.
 #include "framework/conformance/checks.hpp"
 
 #include <algorithm>
@@ -58,7 +58,8 @@ class Ledger {
 
 namespace {
 
-/// Compares the slope of the energy along a direction, by the best central difference, with the force.
+/// Compares the force with the slope of the energy along a direction, as given by the best central
+/// difference.
 class EnergySlope {
  public:
   EnergySlope(Bench& b, const netloft_term& term, const States& s)
@@ -136,7 +137,7 @@ struct Variable {
   double factor;
 };
 
-// The factors differ from 1, so that a term that ignores them is found.
+// The factors of the tangent are not 1, so that the check finds a term that ignores them.
 const Variable kVariables[] = {
     {&States::x, 0, {0.7, 0, 0}, 0.7},
     {&States::v, NETLOFT_READS_VELOCITY, {0, 1.3, 0}, 1.3},
@@ -305,10 +306,10 @@ PathWork walk(const Bench& b, const netloft_term& term, const States& from,
   return path;
 }
 
-/// Compares the work along a path with the change of energy. If they are equal on every path, the work is
-/// zero on every closed path, also on one that changes from slack to taut. Paths are shorter than half the
-/// distance of the nodes, so that no element collapses. Returns the error per element, or −1 if the path left
-/// the domain.
+/// Compares the work along a path with the change of energy. If they are equal on every path, no closed path
+/// gains energy, even if an element changes between slack and taut. Paths are shorter than half the distance
+/// of the nodes, so that no element collapses. Returns the error per element, or −1 if the path left the
+/// domain.
 Lanes energy_not_accounted_for(const Bench& b, const netloft_term& term, const States& from,
                                const std::vector<double>& direction, const Lanes& length, int pieces) {
   const PathWork path = walk(b, term, from, direction, length, pieces);

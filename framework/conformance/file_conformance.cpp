@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Checks of the file of a plugin, beyond those of the loader.
+// Checks of the file of a plugin, in addition to the checks made when a plugin is loaded.
 #include "framework/conformance/conformance.hpp"
 #include "framework/registry/exports.hpp"
 

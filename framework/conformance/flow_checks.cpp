@@ -15,8 +15,8 @@ bool feels_water(const netloft_term& term) {
   return (term.traits & NETLOFT_READS_CURRENT) && !(term.traits & NETLOFT_FROM_OUTSIDE);
 }
 
-/// Returns states with the same velocity of water and of nodes within each element, without acceleration. A
-/// passive element can only take energy out of such a flow.
+/// Returns states in which all nodes of an element have one velocity, the water at all its nodes has one
+/// velocity, and nothing accelerates. A passive element can only take energy out of such a flow.
 States in_uniform_flow(const Bench& b, const netloft_term& term, States s) {
   for (std::size_t d = 0; d < b.dofs(); ++d)
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -77,8 +77,8 @@ Finding never_gains_energy(Bench& b) {
   return judged(worst, kNoCurrent);
 }
 
-/// Checks that each element tells its laws its length of twine or area of netting. Reports weigh the use of a
-/// law outside its range by this length or area.
+/// Checks that each element tells its laws its length of twine or its area of netting. Reports use these as
+/// weights when they say how much of a gear is outside the range of a law.
 Finding says_how_much_it_stands_for(Bench& b) {
   if (b.type.laws.empty()) return not_applicable("it has no slot for a law");
   for (const auto& term : b.type.terms)

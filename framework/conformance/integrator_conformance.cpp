@@ -78,7 +78,7 @@ double order_of(IntegratorBench& b, const PracticeSwing& like) {
   return std::log2(error_with(b, like, 128) / error_with(b, like, 256));
 }
 
-/// An observed order may differ from the expected one by this much.
+/// Largest allowed difference between the observed and the expected order.
 constexpr double kOrderSeen = 0.2;
 
 Finding converges(IntegratorBench& b) {
@@ -103,7 +103,8 @@ Finding keeps_its_order_under_a_load(IntegratorBench& b) {
   return keeps_its_order(b, kPushed, "a motion under a load that grows");
 }
 
-/// Checks that a step is not shortened silently. A step that is too long may be refused.
+/// Checks that a step is as long as requested. The integrator may refuse a step that is too long, but not
+/// shorten it silently.
 Finding goes_all_the_way(IntegratorBench& b) {
   PracticeMotion motion(kFree);
   const double stable = b.stable_step(2), h = stable > 0 ? std::min(0.2, 0.5 * stable) : 0.2;
@@ -117,7 +118,7 @@ double error_between(IntegratorBench& b, int steps) {
   return motion.error_between;
 }
 
-/// The order within a step is at most four, because of the cubic interpolation.
+/// Within a step, the host interpolates by a cubic, so that the order is four at most.
 Finding answers_between_steps(IntegratorBench& b) {
   const double ends = std::min(4.0, order_of(b, kFree));
   const double here = std::log2(error_between(b, 128) / error_between(b, 256));
@@ -155,8 +156,8 @@ Finding gains_no_energy(IntegratorBench& b) {
   return up_to(motion.energy(), 1.05, "energy after 2000 steps of a free motion over that of the start");
 }
 
-/// Checks the declared stable step. The energy must stay bounded with steps of 0.8 times the stable step or,
-/// if all steps are declared stable, with steps of 100 divided by the angular frequency.
+/// Checks the declared stable step. The energy must stay bounded with steps of 0.8 times the stable step. If
+/// all steps are declared stable, it must stay bounded with steps of 100 divided by the angular frequency.
 Finding stable_as_it_says(IntegratorBench& b) {
   const double fastest = 2, stable = b.stable_step(fastest);
   const double h = stable > 0 ? 0.8 * stable : 100 / fastest;
@@ -216,7 +217,7 @@ Finding steps_nothing(IntegratorBench& b) {
   return status == NETLOFT_OK ? Finding{} : failed("returned " + std::to_string(status));
 }
 
-// A check follows those on which it depends.
+// The order matters: a check comes after the checks on which it depends.
 const std::vector<Check<IntegratorBench>>& integrator_table() {
   static const std::vector<Check<IntegratorBench>> checks = {
       {"defaults-are-allowed",

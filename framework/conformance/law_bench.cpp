@@ -22,8 +22,8 @@ void normalise(double (&a)[3]) {
   for (double& c : a) c /= length;
 }
 
-/// Changes the unit vector `W` to the direction of this special flow. `across` is the direction of the part
-/// of W that is perpendicular to t.
+/// Changes the unit vector `W` to the direction of this special flow. `across` is the direction of the
+/// component of W perpendicular to t.
 void turn(Special special, const double (&t)[3], double (&W)[3]) {
   double across[3];
   for (std::size_t i = 0; i < 3; ++i) across[i] = W[i] - dot(W, t) * t[i];
@@ -125,7 +125,8 @@ std::vector<double> LawBench::force_scale(std::size_t part, const Flows& flows) 
     Flows other = flows;
     const std::vector<double> field = random_field();
     for (std::size_t i = 0; i < field.size(); ++i) other.flow[i] = reach(flows, i % kLanes) * field[i];
-    for (double& S : other.solidity) S = k % 2 ? std::max(S, 0.2) : S;  // netting without twines has no force
+    // solidity must not be zero: netting without twines has no force
+    for (double& S : other.solidity) S = k % 2 ? std::max(S, 0.2) : S;
     const LawAnswer a = evaluate(part, other, false);
     for (std::size_t i = 0; i < a.force.size(); ++i)
       scale[i % kLanes] = std::max(scale[i % kLanes], std::abs(a.force[i]));

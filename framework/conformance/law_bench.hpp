@@ -10,7 +10,7 @@ struct Flows {
   std::vector<double> flow, direction, diameter, solidity;
 };
 
-/// The answer of a law. Rows that it did not write are NaN.
+/// The answer of a law. Rows that the law did not write are NaN.
 struct LawAnswer {
   bool ok = false;
   std::string thrown;  // the exception that the law threw, if any
@@ -19,13 +19,14 @@ struct LawAnswer {
 
 /// The fixture of the law checks, with sampled parameters and flows. Speeds are from 1 cm/s to 5 m/s,
 /// diameters from 1 mm to 10 cm, solidities from 0 to 0.9, a quarter of them zero. Among eight flows, one is
-/// zero, one is along the twine (or the normal of the screen), and one is perpendicular to it. Two more
-/// differ by a millionth from the parallel and the perpendicular flow, and one is a thousand times slower.
+/// zero, one is along the twine (or the normal of the screen), and one is perpendicular to it. Two more are
+/// almost parallel and almost perpendicular, up to a millionth, and one is a thousand times slower.
 struct LawBench {
   LawBench(const LawType& type, const ConformanceOptions& options);
 
   LawAnswer evaluate(std::size_t part, const Flows& flows, bool derivatives) const;
-  /// Calls the law with arrays of the caller. Returns false if it failed or threw.
+  /// Calls the law with arrays that the caller provides. Returns false if the law failed or threw an
+  /// exception.
   bool call(std::size_t part, const netloft_law_tile& flow, std::string& thrown) const;
   /// A flow in words: "parameters 3, flow 12 (along the direction)".
   std::string place(std::size_t part, std::size_t lane) const;
@@ -47,7 +48,7 @@ struct LawBench {
   Flows sample();
 };
 
-/// The value (NaN) of the answer's arrays before the law writes to them.
+/// The number (NaN) with which the arrays of an answer are filled before the law writes to them.
 double not_written();
 
 }  // namespace netloft::conformance

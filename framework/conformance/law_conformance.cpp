@@ -59,7 +59,8 @@ Finding law_outputs_are_finite(LawBench& b) {
   });
 }
 
-/// Checks that outputs in unused lanes (from `count` on) do not change, whatever the inputs there.
+/// Checks that the law does not change outputs in unused lanes (from `count` on), whatever the inputs in
+/// these lanes.
 Finding law_writes_nothing_past_count(LawBench& b) {
   return ask_all(b, [&](std::size_t part, const Flows& all) -> std::string {
     for (const std::uint32_t count : {1u, 3u, 31u, 63u}) {
@@ -130,7 +131,7 @@ Finding law_has_the_same_force_alone(LawBench& b) {
   });
 }
 
-// The order matters: a check follows those that it depends on.
+// The order matters: a check comes after the checks on which it depends.
 const std::vector<Check<LawBench>>& law_table() {
   static const std::vector<Check<LawBench>> checks = {
       {"defaults-are-allowed",

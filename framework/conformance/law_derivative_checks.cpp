@@ -66,8 +66,8 @@ double along_field(const std::vector<double>& matrix, const std::vector<double>&
 
 }  // namespace
 
-/// Checks that the slopes on both sides of each flow agree, in particular at special flows (zero, along or
-/// across the direction).
+/// Checks that the slopes on both sides of each flow agree, in particular for special flows (zero, parallel
+/// or perpendicular to the twine).
 Finding law_has_no_kink(LawBench& b) {
   Worst worst(kKinkLimit);
   for (std::size_t part = 0; part < b.tiles.size(); ++part)
@@ -100,7 +100,7 @@ Finding d_flow_is_derivative(LawBench& b) {
   return judged(worst, "");
 }
 
-/// Directions are unit vectors, so that only perpendicular variations count.
+/// Directions are unit vectors. Therefore only variations perpendicular to a direction are tested.
 Finding d_direction_is_derivative(LawBench& b) {
   Worst worst(kSlopeLimit);
   for (std::size_t part = 0; part < b.tiles.size(); ++part)

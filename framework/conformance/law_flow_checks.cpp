@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks of the physics of a law: without flow there is no force, the force never adds energy, and it is the
-// same from every side.
+// Checks of the physics of a law: without flow there is no force, the force never adds energy, and the force
+// does not depend on the orientation of the axes.
 #include "framework/conformance/law_checks.hpp"
 
 #include <algorithm>

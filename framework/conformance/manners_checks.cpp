@@ -61,11 +61,11 @@ Finding no_hidden_state(Bench& b) {
 
 namespace {
 
-constexpr double kCanary = -7.25e-300;  // small, so that the addition of any number is visible
+constexpr double kCanary = -7.25e-300;  // small, so that adding any number to it is visible
 constexpr std::size_t kMargin = 4 * kLanes;
 
-/// An array that is zero where a term may add, with a known number before and after it and in all unused
-/// lanes (from `count` on).
+/// An array to which a term may add, initially zero. The entries before and after it, and those of unused
+/// lanes (from `count` on), hold a known number.
 struct Guarded {
   Guarded(std::size_t rows, std::size_t count) : values(rows * kLanes + 2 * kMargin, kCanary) {
     for (std::size_t row = 0; row < rows; ++row)
@@ -83,7 +83,7 @@ struct Guarded {
 };
 
 /// Calls a term with guarded arrays, and with inputs that are NaN in unused lanes (from `count` on). Returns
-/// a sentence about a number that the term wrote outside the permitted entries.
+/// a sentence if the term wrote outside the permitted entries.
 std::string trespass(const Bench& b, const netloft_term& term, States s, std::uint32_t count,
                      std::uint32_t want) {
   for (const auto field : kFields)
@@ -133,8 +133,8 @@ void prefill(std::vector<double>& values, const std::vector<double>& like) {
     values[i] = (largest(like, i % kLanes) + 1) * (1 + 0.01 * static_cast<double>(i / kLanes % 7));
 }
 
-/// Error of `sum`, which must be the numbers of prefill() plus the answer, relative to the largest number of
-/// the element.
+/// Error of `sum`, relative to the largest number of the element. The correct sum is the numbers of prefill()
+/// plus the answer.
 double adding_error(const std::vector<double>& sum, const std::vector<double>& answer, std::size_t lane) {
   std::vector<double> before(answer.size());
   prefill(before, answer);
@@ -189,7 +189,7 @@ struct Shuffled {
   std::vector<States> states;
 };
 
-/// The states with a common ground velocity, so that elements can be moved between tiles.
+/// Gives states the same ground velocity, so that elements can be moved between tiles.
 States over(States s, const std::vector<double>& ground) {
   s.ground = ground;
   return s;
@@ -259,8 +259,8 @@ namespace {
 
 constexpr int kRoundsPerThread = 50, kRoundsApart = 10;
 
-/// Evaluates a tile repeatedly in one of two threads. The threads wait for each other from time to time,
-/// because a busy machine could start the second thread after the first has ended.
+/// Evaluates a tile repeatedly, in one of two threads. The threads wait for each other from time to time: on
+/// a busy machine, the second one could otherwise start after the first has ended.
 std::size_t count_differences(const Bench& b, const netloft_term& term, const States& s, std::uint32_t want,
                               const Answer& expected, std::barrier<>& both) {
   std::size_t differences = 0;
@@ -300,9 +300,9 @@ Finding same_from_two_threads(Bench& b) {
 
 namespace {
 
-/// Whether no thread and no process begins during `work`. The system gives consecutive numbers to new threads
-/// and processes. If nothing else begins, a thread before and a thread after the work have consecutive
-/// numbers.
+/// Whether no thread and no process starts during `work`. The system numbers new threads and processes
+/// consecutively. If nothing else starts, a thread started before the work and one started after it have
+/// consecutive numbers.
 template <class Work>
 bool nothing_begins_during(Work&& work) {
   int before = 0, after = 0;
@@ -315,10 +315,10 @@ bool nothing_begins_during(Work&& work) {
 
 enum class Starts { none, some, unknown };
 
-/// Whether `work` starts threads, however short-lived. Other programs start threads, too; therefore each try
-/// observes the work and then an equally long time without work. The answer is `none` at the first try in
-/// which no thread begins during the work. Otherwise it is `some` once kProof of the times without work
-/// passed without a new thread. It is `unknown` if other programs start threads all the time.
+/// Whether `work` starts threads, however short-lived. Other programs start threads, too. Therefore each try
+/// observes the work, and then an equally long pause. The answer is `none` as soon as a try sees no new
+/// thread during the work. It is `some` if every try sees one, although kProof of the pauses had none. It is
+/// `unknown` if other programs start threads all the time.
 template <class Work>
 Starts threads_started_by(Work&& work) {
   using Clock = std::chrono::steady_clock;
@@ -376,7 +376,7 @@ Finding missing_inputs_are_zero(Bench& b) {
         worst.note(ratio(c.force[i] - a.force[i], largest(moving.force, i % kLanes)),
                    [&] { return b.place(term, s, i % kLanes); });
       if (term.traits & NETLOFT_CONSTANT) continue;
-      // At rest, matrices with respect to velocities and accelerations are needed, too: masses, and the
+      // Derivatives with respect to velocities and accelerations are also needed at rest, as masses and as
       // damping of small disturbances.
       const Answer there = b.specimen->evaluate(term, zero, NETLOFT_WANT_TANGENT, kAllFactors);
       const Answer none = b.specimen->evaluate(term, missing, NETLOFT_WANT_TANGENT, kAllFactors);

@@ -78,8 +78,8 @@ void compare(Bench& b, const States& s, Worst& worst) {
 
 }  // namespace
 
-/// Checks that the members add up to their terms. Rounding of positions of 10 m causes a strain of 1e-12 in
-/// an element of 1 mm, far below the limit.
+/// Checks that the members add up to their terms. Rounding is far below the limit: at a coordinate of 10 m,
+/// it causes a strain of 1e-12 in an element of 1 mm.
 Finding members_make_their_term(Bench& b) {
   if (b.type.members.count == 0) return not_applicable("the element declares no members");
   Worst worst(1e-6);

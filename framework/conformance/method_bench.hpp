@@ -18,7 +18,7 @@ class MethodBench {
   ParameterBlock parameters;
 
  protected:
-  /// The result of `call`, or `otherwise` if the call broke a rule of the plugin interface.
+  /// Returns the result of `call`, or `otherwise` if the plugin broke a rule of the plugin interface.
   template <class Call>
   int guarded(const std::string& type, const char* function, int otherwise, Call&& call) {
     const int result =

@@ -170,12 +170,15 @@ PracticeProblem::Matrix PracticeProblem::shifted(int matrix, double shift) const
   const bool none = (matrix & ~NETLOFT_INDEFINITE) == NETLOFT_NONE;
   const bool convex = (matrix & ~NETLOFT_INDEFINITE) == NETLOFT_CONVEX;
   Matrix K = none || matrix_.empty() ? Matrix(metric_.size(), 0.0) : matrix_;
-  if (convex && masses_ < n_) K.back() = std::abs(K.back());  // the tangent of a chain is its own convex part
+  if (convex && masses_ < n_)
+    K.back() = std::abs(K.back());  // a tangent of the chain is also its convex
+                                    // part
   for (std::size_t i = 0; i < K.size(); ++i) K[i] += shift * metric_[i];
   return K;
 }
 
-/// Gaussian elimination without pivoting: the matrices of the chain are diagonally dominant, or refused.
+/// Gaussian elimination without pivoting: the matrices of the chain are diagonally dominant; others are
+/// refused.
 int PracticeProblem::factorise(int matrix, double shift) {
   ++factorisations;
   factor_ = shifted(matrix, shift);

@@ -28,10 +28,11 @@ struct Practice {
 ///   E(u) = Σ k/2 e² + c/4 e⁴ − Σ f u − b Σ log(1 − u/w),  e = u_i − u_{i−1},  u_0 = 0     (1)
 ///        + Σ F²/S γ(S (u − a)/F) − Σ f u³/(3 l²) − h/2 v² + q/4 v⁴,  γ(x) = x atan x − log(1 + x²)/2
 ///   r = ∂E/∂u + s (u_{i+1} − u_{i−1})                                                    (2)
-/// b = 0.1 J, F = 100 N, q = 100 h/m²; w is the wall, and the other letters are members of Practice. The
-/// positions a = R (2 x − x²) + d, at the fraction x of the chain, are d = 25 mm beyond the equilibrium of
-/// its springs alone, with R = 0.72 m. Without runaway and buckling, the energy is convex and has one
-/// minimum. The metric is the stiffness k of the chain. The problem counts calls like the host of a scene.
+/// b = 0.1 J, F = 100 N, q = 100 h/m²; w is the wall, and the other letters are members of Practice. a = R (2
+/// x − x²) + d, with R = 0.72 m, is a position for the mass at the fraction x of the chain: d = 25 mm beyond
+/// the equilibrium that the springs alone would have. Without runaway and buckling, the energy is convex and
+/// has one minimum. The metric is the stiffness k of the chain. The problem counts calls like the host of a
+/// scene.
 class PracticeProblem {
  public:
   explicit PracticeProblem(const Practice& like);
@@ -83,7 +84,7 @@ class PracticeProblem {
   netloft_problem interface_{};
   std::vector<double> u_;
   Matrix matrix_, metric_, factor_;  // tangent of the last evaluation; linear stiffness; last factor
-  std::uint32_t kept_ = 0;           // all bits of `want` in evaluations so far
+  std::uint32_t kept_ = 0;           // union of all `want` of the evaluations so far
   bool stopped_ = false;
   char message_[256] = "";
 };

@@ -98,7 +98,7 @@ double PracticeMotion::exact(std::size_t i, double time) const {
   const double w = omega(i), decay = like_.damping * w,
                turn = w * std::sqrt(1 - like_.damping * like_.damping);
   const double drift = like_.push / (w * w);
-  const double B = (decay * start_[i] - drift) / turn;  // because the masses are at rest at t = 0
+  const double B = (decay * start_[i] - drift) / turn;  // follows from the masses being at rest at t = 0
   return std::exp(-decay * time) * (start_[i] * std::cos(turn * time) + B * std::sin(turn * time)) +
          drift * time;  // (2)
 }

@@ -9,7 +9,7 @@
 
 namespace netloft::conformance {
 
-/// Properties of a practice motion (a small motion with a known solution).
+/// Properties of a practice motion, which is a small motion with a known solution.
 struct PracticeSwing {
   double damping = 0;      // fraction ζ of the critical damping
   double push = 0;         // acceleration f, proportional to time [m/s²]
@@ -20,7 +20,7 @@ struct PracticeSwing {
 
 /// Masses on springs with a known motion, behind the same functions as a scene:
 ///   F = m (a + 2 ζ ω v + ω² u − f t) = 0,  m = 2 kg                                     (1)
-/// for each unknown by itself. With f = 0 or ζ = 0:
+/// for each unknown separately. With f = 0 or ζ = 0:
 ///   u = e^(−ζωt) (A cos ω't + B sin ω't) + f t/ω²,  ω' = ω √(1 − ζ²)                    (2)
 /// Between the ends of a step, the host uses the cubic through positions and velocities. After a quarter of a
 /// step
@@ -28,8 +28,8 @@ struct PracticeSwing {
 /// The mean forces of a step (netloft_motion::solve_between) are (1) at its middle, because springs are
 /// linear, plus the force of the damping χ with the memory ν and the remembered rate r,
 ///   m ω² χ/2 (uₙ₊₁ − uₙ − h r),  r ← r + ν ((uₙ₊₁ − uₙ)/h − r) at the end of the step        (4)
-/// The outputs of a step and the scratch memory are NaN before the step. The checks thus find omitted
-/// outputs, and integrators that remember numbers in scratch memory.
+/// The outputs of a step and the scratch memory are NaN before the step. The checks thus notice if an output
+/// is missing, or if an integrator relies on numbers in scratch memory from earlier steps.
 class PracticeMotion {
  public:
   explicit PracticeMotion(const PracticeSwing& like);
@@ -45,12 +45,12 @@ class PracticeMotion {
   /// Energy divided by the energy at the start.
   double energy() const;
   bool is_finite() const;
-  /// Whether all steps left the state at their start unchanged.
+  /// Whether no step changed the state from which it started.
   bool left_alone() const { return left_alone_; }
 
   int solves = 0;
   double t = 0;
-  // Largest estimated error in the last step; sum of these over all steps [m].
+  // Largest estimated error of an unknown in the last step, and the sum of these errors over all steps [m].
   double estimate = 0, estimated = 0;
   double error_between = 0;  // largest error within a step, of the cubic (3) [m]
   bool clears_scratch = true;

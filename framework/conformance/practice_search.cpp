@@ -27,8 +27,8 @@ double largest_residual(const std::vector<double>& r) {
   return most;
 }
 
-/// Interpolates a chain at the fraction x of its length. Its masses are at 1/n, 2/n … 1, and its end at 0 is
-/// fixed.
+/// Interpolates the displacements of a chain at the fraction x of its length. The masses are at 1/n, 2/n … 1;
+/// the end at 0 is fixed.
 double at_fraction(const double* u, std::uint32_t n, double x) {
   const double place = x * n;
   const auto below = static_cast<std::uint32_t>(place);
@@ -142,7 +142,7 @@ void PracticeSearch::check_order() {
   if (knows_budget_) note(Slip::after_budget, "requests a stage after the work was used up");
 }
 
-/// Checks a stage to be solved. Returns whether the host must refuse it.
+/// Checks a requested stage. Returns whether a host must refuse it.
 bool PracticeSearch::is_refused(const netloft_stage& s) {
   end_own_method();
   check_order();
@@ -197,7 +197,7 @@ int PracticeSearch::solve(netloft_stage* stage) {
   return NETLOFT_OK;
 }
 
-/// Whether a strategy calls itself in the same way as it was called, which never ends.
+/// Whether a strategy calls itself in the same way as it was called; such calls would never end.
 bool PracticeSearch::is_itself(std::string strategy, const char* parameters,
                                const netloft_stage& stage) const {
   if (strategy.find('/') == std::string::npos) strategy += "/" + strategy;
@@ -208,7 +208,7 @@ bool PracticeSearch::is_itself(std::string strategy, const char* parameters,
                         : std::equal(start_.begin(), start_.end(), stage.u);
 }
 
-/// Pretends to run another strategy, which consists of one stage or returns at once without work.
+/// Pretends to run another strategy: solves one stage, or returns at once without any work.
 int PracticeSearch::call(const char* strategy, const char* parameters, netloft_stage* stage) {
   if (!strategy || !*strategy) note(Slip::out_of_range, "calls a strategy without a name");
   if (strategy && is_itself(strategy, parameters, *stage))
@@ -251,8 +251,8 @@ netloft_ending PracticeSearch::step_to_balance(PracticeProblem& problem, netloft
   }
 }
 
-/// Writes the result of a stage to `s`. If the result reports an interrupt, or that the work is used up,
-/// notes that the strategy knows this from now on.
+/// Writes the result of a stage to `s`. If the result reports an interrupt or that the budget is used up, the
+/// strategy is expected to know this from now on.
 void PracticeSearch::judge(const PracticeProblem& problem, netloft_stage& s, netloft_ending ending) {
   const std::vector<double> u(s.u, s.u + size_of(s.variant.level));
   const Rank found = rank(problem, s.u, tolerance_of(s));
@@ -312,9 +312,9 @@ int PracticeSearch::problem(netloft_stage* stage, netloft_problem* problem) {
   return NETLOFT_OK;
 }
 
-/// Counts the work of a strategy's own method, after it has ended.
+/// Counts the work of a method that a strategy ran itself, after the method has ended.
 void PracticeSearch::end_own_method() {
-  // The growing disturbance of the last stage is valid up to this point only.
+  // The growing disturbance of the last stage must not be used after this point.
   std::fill(growing_.begin(), growing_.end(), std::numeric_limits<double>::quiet_NaN());
   if (!own_) return;
   spend((std::max(own_->iterations, own_->factorisations) + kStageCost) * own_cost_);

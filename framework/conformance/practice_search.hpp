@@ -26,7 +26,7 @@ struct PracticeScene {
   std::string by = {};             // type of the strategy under test, if it must not call itself
 };
 
-/// Mistakes of a strategy, one for each promise that it can break.
+/// Mistakes of a strategy, one for each rule that it can break.
 enum class Slip {
   stage_without_name,
   stage_not_filled,  // the size of a struct or the displacements are missing
@@ -44,9 +44,9 @@ enum class Slip {
 /// coarser meshes, solved by Newton's method with full steps and |K| in place of an indefinite K,
 ///   u ← u − |K|⁻¹ r.
 /// An iteration costs 1 on the finest mesh, 1/2 on the next, and so on; every stage and every assessment
-/// costs a tenth in addition. After an interrupt, no work is left. The cap on stiffness reduces the k and S
-/// of practice.hpp, the factor on the current reduces s and half of f. The search offers no members. All
-/// requests and answers are recorded for the checks.
+/// costs a tenth in addition. After an interrupt, no work is left. In the letters of practice.hpp, the cap on
+/// stiffness reduces k and S, and the factor on the current reduces s and half of f. The search offers no
+/// members. All requests and answers are recorded for the checks.
 class PracticeSearch {
  public:
   explicit PracticeSearch(const PracticeScene& scene);
@@ -60,19 +60,19 @@ class PracticeSearch {
   const std::vector<std::vector<double>>& answers() const { return answers_; }
   /// Largest residual of the best answer in the scene itself, relative to the load; infinite without answer.
   double imbalance() const;
-  /// Whether some stage found a better equilibrium of the scene itself than all answers: a stable one
-  /// although no answer is stable, or any one although no answer is an equilibrium.
+  /// Whether some stage found a better equilibrium of the scene itself than all answers: either a stable one
+  /// although no answer is stable, or some equilibrium although no answer is one.
   bool has_kept_an_equilibrium() const;
-  /// A sentence about the first mistake; empty if there was none.
+  /// A sentence about the first mistake of this kind; empty if there was none.
   std::string slip(Slip kind) const;
   std::string any_slip() const { return slips_.empty() ? "" : slips_.begin()->second; }
-  /// Whether the strategy has left unchanged the start, the struct of the search and the bytes behind the
+  /// Whether the strategy changed neither the start, nor the struct of the search, nor the bytes behind the
   /// message.
   bool is_left_alone() const;
   /// A record of all requests and answers, bit by bit.
   const std::string& trace() const { return trace_; }
 
-  /// Number of stages after which the host ends a strategy that does not terminate, with an error.
+  /// Number of stages after which a strategy counts as never ending; it then receives errors.
   static constexpr int kMostStages = 10000;
   int stages = 0;  // calls of solve, call and problem
 
@@ -127,7 +127,7 @@ class PracticeSearch {
   bool interrupted_ = false, knows_interrupt_ = false, knows_budget_ = false;
   // Answers of the strategy, which are points of the scene itself, and equilibria of variants.
   std::vector<std::vector<double>> answers_, of_variants_;
-  Rank met_;  // best equilibrium of the scene itself in any stage
+  Rank met_;  // best equilibrium of the scene itself that any stage found
   std::map<Slip, std::string> slips_;
   std::string trace_, message_;
 };

@@ -66,7 +66,7 @@ Values ParameterSampler::parameters(std::size_t part) {
   Values values;
   for (const auto& p : table_) {
     if (p.kind > NETLOFT_TABLE) continue;  // an unknown kind keeps its default
-    const auto before = random_;           // restored below, so that a table does not change other samples
+    const auto before = random_;  // restored below, so that a table does not affect the samples after it
     const bool leave_out = part == 0 || (p.kind != NETLOFT_CHOICE && uniform(0, 1) < 0.5);
     if (!leave_out || !has_default(p)) values[p.name] = value(p, part);
     if (p.kind == NETLOFT_TABLE) random_ = before;
@@ -187,7 +187,7 @@ void Sampler::state(const Sample& sample, std::size_t element, States& s, std::s
     s.a[at(d, lane)] = uniform(-1, 1);
     s.current[at(d, lane)] = uniform(-1, 1);
     s.current_dz[at(d, lane)] = uniform(-0.1, 0.1);
-    // No random number is drawn, so that other samples do not change.
+    // This draws no random number, so that all other samples are the same as without waves.
     if (!s.swing.empty()) s.swing[at(d, lane)] = 10 * s.current_dz[at(d, lane)];
   }
   if (type_.is_on_body()) turn(s, lane);

@@ -11,7 +11,7 @@ namespace netloft::conformance {
 ///
 /// A real is drawn on a logarithmic scale from the usual values of its unit (sampler.cpp) within its allowed
 /// range, or from the range itself if it contains none of them. Integers are among the lowest 100 of their
-/// range, choices use every word in turn. Part 0 has all defaults; in other parts, each parameter has its
+/// range, choices use their words in turn. Part 0 has all defaults; in other parts, each parameter has its
 /// default with probability 1/2. Tables have 4 rows; their columns are drawn by unit, the first in ascending
 /// order. Tables over two arguments have two values of each.
 class ParameterSampler {
@@ -26,7 +26,7 @@ class ParameterSampler {
 
   /// Parameters of part number `part`.
   Values parameters(std::size_t part);
-  /// The number of parts that are needed to draw every word of every choice at least once.
+  /// The number of parts in which every word of every choice occurs at least once.
   std::size_t parts() const;
 
  protected:
@@ -45,14 +45,14 @@ Values required_of(std::span<const netloft_parameter> table, const Values& sampl
 
 /// Draws parameters, data and states of an element.
 ///
-/// Data are drawn by unit in the same way, but lengths from 0.5 m to 2 m and pure numbers from 0.2 to 1.8.
-/// Every fourth pure number is −1, 0 or 1. A pure datum with one number per node is a coordinate of the
-/// corners, from −4 to 4; triangles are drawn again until they cover at least 2 square units. Data that
-/// `create` refuses are drawn again. Unknowns shared by a part are drawn like the coordinates of one more
-/// node. Bodies have rotations of up to two turns about any axis; their datum `side` is −1 or 1.
-/// Nodes are distributed uniformly in a cube. Its side is size() times a factor from 0.1 to 3, so that
-/// elements are stretched or slack; one cube in eight is 1000 times smaller, so that the element has nearly
-/// collapsed. Velocities, currents [m/s] and accelerations [m/s²] are of magnitude 1, shears [1/s] of
+/// Data are drawn by unit like parameters, except for lengths from 0.5 m to 2 m and pure numbers from 0.2 to
+/// 1.8. Every fourth pure number is −1, 0 or 1. A datum without unit that has one number per node is a
+/// coordinate of the corners, from −4 to 4; triangles are drawn again until they cover at least 2 square
+/// units. Data that `create` refuses are drawn again. Unknowns shared by a part are drawn like the
+/// coordinates of one more node. Bodies have rotations of up to two turns about any axis; their datum `side`
+/// is −1 or 1. Nodes are distributed uniformly in a cube. Its side is size() times a factor from 0.1 to 3, so
+/// that elements are stretched or slack; one cube in eight is 1000 times smaller, so that the element has
+/// nearly collapsed. Velocities, currents [m/s] and accelerations [m/s²] are of magnitude 1, shears [1/s] of
 /// magnitude 0.1.
 class Sampler : public ParameterSampler {
  public:

@@ -121,7 +121,7 @@ Finding says_progress(SolverBench& b) {
   return problem.iterations > 0 ? Finding{} : failed("ended without a single call of `progress`");
 }
 
-/// Checks that the solver returns from a problem that it cannot solve, with a correct outcome.
+/// Checks that the solver returns with a correct outcome from a problem that it cannot solve.
 Finding gives_up(SolverBench& b, const Practice& p, const char* where) {
   PracticeProblem problem(p);
   const int outcome = b.solve(problem);
@@ -158,7 +158,7 @@ Finding solves_nothing(SolverBench& b) {
   return outcome == NETLOFT_STOPPED ? Finding{} : failed("returned outcome " + std::to_string(outcome));
 }
 
-// A check follows those on which it depends.
+// The order matters: a check comes after the checks on which it depends.
 const std::vector<Check<SolverBench>>& solver_table() {
   static const std::vector<Check<SolverBench>> checks = {
       {"defaults-are-allowed",

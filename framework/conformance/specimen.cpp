@@ -26,7 +26,7 @@ int guarded(const ElementType& type, const char* function, const char* term, std
 
 const double* pointer(const std::vector<double>& v) { return v.empty() ? nullptr : v.data(); }
 
-/// Removes the inputs that the traits of a term do not declare.
+/// Removes those inputs for which the term has no trait.
 void hide_undeclared(std::uint32_t traits, netloft_tile& t, ExtensionInputs& inputs) {
   if (!(traits & NETLOFT_READS_VELOCITY)) t.v = nullptr;
   if (!(traits & NETLOFT_READS_ACCELERATION)) t.a = nullptr;

@@ -19,9 +19,9 @@ struct Sample {
   std::vector<Values> parameters;
   std::vector<std::uint32_t> part;
   std::vector<std::vector<double>> data;  // [datum] -> [element][width]
-  // Kind of the laws in slots that accept this kind; other slots have the first kind that they accept.
+  // Kind of the laws in all slots that accept it; any other slot gets the first kind that it accepts.
   std::uint32_t law_kind = 0;
-  // Bytes of the parameters that are overwritten because no row of the table declares them.
+  // Bytes of the parameters to be overwritten; no row of the table declares them.
   std::vector<ByteRange> spoilt = {};
 };
 
@@ -37,7 +37,7 @@ struct States {
   std::vector<double> swing = {};    // [dof][64] acceleration of the water; empty: none
   std::vector<double> surface = {};  // [nodes][64] height of the surface of the water; empty: z = 0
   double time = 1;                   // [s]
-  std::uint32_t exposed = 0;  // traits of inputs that terms receive even without declaring these traits
+  std::uint32_t exposed = 0;  // traits whose inputs terms receive even if they do not have these traits
 };
 
 /// The arrays of States that have rows of one number per element.
@@ -81,16 +81,16 @@ class Specimen {
   /// Evaluates a term into new arrays.
   Answer evaluate(const netloft_term& term, const States& states, std::uint32_t want,
                   Factors factors = {}) const;
-  /// Evaluates a term, and adds to the arrays of `answer`, which must be large enough.
+  /// Evaluates a term, which adds to the arrays of `answer`; these must be large enough.
   void evaluate(const netloft_term& term, const States& states, std::uint32_t want, Factors factors,
                 Answer& answer) const;
-  /// Evaluates a term, and adds to arrays of the caller; unused ones are passed as nullptr.
+  /// Evaluates a term, which adds to arrays of the caller; unused arrays are nullptr.
   Answer evaluate_into(const netloft_term& term, const States& states, std::uint32_t want, Factors factors,
                        double* energy, double* force, double* matrix, double* memory) const;
-  /// Evaluates the outputs of the elements, [output][64]. They are written, not added.
+  /// Evaluates the outputs of the elements, [output][64]. They replace the previous numbers.
   Answer outputs(const States& states, std::vector<double>& values) const;
 
-  /// Asks the elements, which are a flow, for the velocity of the water. Returns kThrew if the plugin broke a
+  /// Computes the velocity of the water. The elements must be a flow. Returns kThrew if the plugin broke a
   /// rule of the plugin interface.
   int find_water(netloft_flow_tile& tile) const;
 
@@ -98,7 +98,7 @@ class Specimen {
   std::vector<netloft_member> members(std::uint32_t first, std::uint32_t count) const;
 
   std::size_t entries(const netloft_term& term) const;
-  /// Number of lanes for which the elements called their laws.
+  /// For how many lanes the elements called their laws.
   const LaneCounts& law_lanes() const { return law_lanes_; }
   /// Size of the memory of a term, in numbers per element.
   std::size_t remembered(const netloft_term& term) const;
@@ -111,7 +111,7 @@ class Specimen {
   std::vector<ParameterBlock> parameters_;
   LaneCounts law_lanes_;
   std::vector<netloft_bound_law> laws_;
-  std::vector<double> forgotten_;  // zeros, the memory of elements without a past
+  std::vector<double> forgotten_;  // zeros: the memory of elements before their first step
   void* self_ = nullptr;
 };
 
@@ -124,7 +124,7 @@ void turn_ground(States& states, double angle);
 void reflect_ground(States& states);
 
 bool wants_matrix(std::uint32_t want);
-/// Writes the results that `want` requests from a term in words: "energy + force + tangent".
+/// The results that `want` requests from a term, in words: "energy + force + tangent".
 std::string want_text(std::uint32_t want);
 /// All combinations of outputs that the host requests from a term.
 std::vector<std::uint32_t> wants_of(const netloft_term& term);

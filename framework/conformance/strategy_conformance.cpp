@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks of a strategy: it finds the equilibria that one solve finds, answers with those only, requests only
-// what exists, and ends when the work is used up or the user interrupts.
+// Checks of a strategy: it finds every equilibrium that one solve finds, answers with equilibria only,
+// requests only what exists, and ends when the budget is used up or the user interrupts.
 #include "framework/conformance/checklist.hpp"
 #include "framework/conformance/strategy_bench.hpp"
 
@@ -54,8 +54,8 @@ Finding strategy_lets_no_exception_escape(StrategyBench& b) {
 
 constexpr double kBalancedSearch = 1e-7;  // ten times the tolerance of the search
 
-/// Checks that the best answer is in balance. Skipped if the strategy requests nothing, because it does not
-/// apply to such a small scene or to a scene without a current.
+/// Checks that the best answer is in balance. Skipped if the strategy requests no stage: it may not apply to
+/// such a small scene, or to a scene without a current.
 Finding is_answered(StrategyBench& b, PracticeScene scene) {
   scene.claims = b.type.strategy.needs & kMayBeClaimed;
   PracticeSearch search(scene);
@@ -72,8 +72,8 @@ Finding is_answered(StrategyBench& b, PracticeScene scene) {
   return f;
 }
 
-/// Checks that the strategy answers with equilibria of easy scenes. The strategy must apply to at least one
-/// of these scenes.
+/// Checks that the strategy finds the equilibria of easy scenes. The strategy must apply to at least one of
+/// these scenes.
 Finding answers_easy_searches(StrategyBench& b) {
   Finding worst = not_applicable(kNoScene);
   bool takes_any = false;
@@ -88,8 +88,8 @@ Finding answers_easy_searches(StrategyBench& b) {
                                     : worst;
 }
 
-/// Returns a point near the equilibrium of a chain with a grip: the equilibrium, found in stages whose
-/// stiffness increases tenfold, with all displacements increased by 1e-4 of themselves.
+/// Returns a point near the equilibrium of a chain with a grip. The equilibrium is found in stages whose
+/// stiffness increases tenfold; then all displacements are multiplied by 1.0001.
 std::vector<double> near_the_answer(const PracticeScene& scene) {
   PracticeSearch search(scene);
   std::vector<double> u(scene.like.unknowns, 0.0);
@@ -105,8 +105,8 @@ std::vector<double> near_the_answer(const PracticeScene& scene) {
   return u;
 }
 
-/// Checks that the strategy uses the given start, from which full Newton steps converge; from the initial
-/// shape they do not.
+/// Checks that the strategy begins at the given start. Full Newton steps converge from there, but not from
+/// the initial shape.
 Finding answers_from_a_start(StrategyBench& b) {
   PracticeScene scene = kGripped;
   scene.start = near_the_answer(kGripped);
@@ -138,8 +138,8 @@ Finding no_equilibrium_is_no_error(StrategyBench& b) {
               });
 }
 
-/// Checks that the strategy ends, also in a scene where all strategies that it calls return at once without
-/// work. The strategy must not call itself in the same way as it was called.
+/// Checks that the strategy ends, even if all strategies that it calls return at once without any work, and
+/// that it does not call itself in the same way as it was called.
 Finding comes_to_an_end(StrategyBench& b) {
   NamedScene idle{"a chain without an equilibrium, where every other strategy returns at once", kRunaway};
   idle.scene.others_decline = true;
@@ -241,8 +241,9 @@ Finding survives_its_bounds(StrategyBench& b) {
 
 constexpr std::size_t kExplainGuard = 64;
 
-/// Calls `explain` with room for a text of the given size. If `asks`, returns an error if `explain` requests
-/// a stage or answers. Otherwise, returns an error if it fails, or if its text does not end within the room.
+/// Calls `explain` with room for a text of the given size, and returns an error or an empty text. If `asks`,
+/// the error is that `explain` requests a stage or gives an answer; otherwise, that it fails or that its text
+/// has no end within the room.
 std::string fault_of_explaining(StrategyBench& b, const PracticeScene& like, std::uint32_t room, bool asks) {
   PracticeScene scene = like;
   scene.claims = b.type.strategy.needs & kMayBeClaimed;
@@ -272,7 +273,7 @@ Finding explains(StrategyBench& b, bool asks) {
 Finding explains_within_its_room(StrategyBench& b) { return explains(b, false); }
 Finding explains_without_solving(StrategyBench& b) { return explains(b, true); }
 
-// A check follows those on which it depends.
+// The order matters: a check comes after the checks on which it depends.
 const std::vector<Check<StrategyBench>>& strategy_table() {
   static const std::vector<Check<StrategyBench>> checks = {
       {"defaults-are-allowed",

@@ -7,15 +7,14 @@
 
 namespace netloft::conformance {
 
-/// Number of lanes for which a law was called, and of those whose extent (metres of twine, square metres of
-/// netting) is not a positive number.
+/// For how many lanes a law was called, and how many of them had an extent (metres of twine, square metres of
+/// netting) that is not a positive number.
 struct LaneCounts {
   std::atomic<std::uint64_t> all{0}, wrong{0};
 };
 
-/// A law for the checks of elements, so that these checks need no plugin of laws. With the relative velocity
-/// W of the water, its density ρ, the direction t, the solidity S, and h = D (the diameter) for twines, 1 for
-/// screens:
+/// A law for the checks of elements, which thus need no other plugin. With the relative velocity W of the
+/// water, its density ρ, the direction t, the solidity S, and h = D (the diameter) for twines, 1 for screens:
 ///   F = ½ ρ h (1 + S) [‖W‖ W + 0.5 (W·t) ‖W‖ t]
 /// It is twice differentiable except at W = 0, passive, and uses every input. `lanes` counts lanes unless it
 /// is nullptr, and must outlive the law.

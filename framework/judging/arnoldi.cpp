@@ -13,7 +13,8 @@ namespace netloft {
 namespace {
 
 // Largest estimated error of a Ritz value, as a fraction of its distance from the unit circle: (5) in
-// growth.hpp. The value is chosen: the estimate is of first order and may be ten times too small.
+// growth.hpp. The value is chosen: the estimate is correct to first order only and may be ten times too
+// small.
 constexpr double kErrorOfKnown = 0.1;
 // A vector counts as orthogonal to the basis if orthogonalisation leaves at least this fraction of its
 // length.
@@ -54,8 +55,8 @@ void Arnoldi::extend(Eigen::Index steps) {
 }
 
 /// Adds the next basis vector. Two orthogonalisations are enough (B. N. Parlett, The Symmetric Eigenvalue
-/// Problem, 1998, section 6.9). If the second one shortens the vector to less than half, the vector is
-/// rounding error: A times the last basis vector is in the space already.
+/// Problem, 1998, section 6.9). If the second one shortens the vector to less than half, the vector consists
+/// of rounding errors, and A times the last basis vector was already in the space.
 void Arnoldi::step(Eigen::Index k) {
   Eigen::VectorXd next = A_ * Eigen::VectorXd(Q_.col(k)), along;
   for (int i = 0; i < 2; ++i) {
@@ -84,8 +85,8 @@ RitzPair Arnoldi::outermost(double beyond) const {
   Eigen::Index place = 0;
   for (Eigen::Index i = 0; i < size_; ++i) {
     const double rho = std::abs(H_(size_, size_ - 1) * right(size_ - 1, i));
-    // The rows of the inverse of the matrix of right eigenvectors are left eigenvectors. The right ones have
-    // length 1, so that the length of a row is 1/χ, with χ of (5) in growth.hpp.
+    // The rows of the inverse of the matrix of right eigenvectors are left eigenvectors. The right
+    // eigenvectors have length 1. Therefore the length of a row is 1/χ, with χ of (5) in growth.hpp.
     const RitzPair pair{solver.eigenvalues()[i], rho, left.row(i).norm()};
     if (A_.is_slow(pair.theta)) continue;
     const auto rank_of = [&](const RitzPair& one) {

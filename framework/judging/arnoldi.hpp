@@ -6,8 +6,8 @@
 
 namespace netloft {
 
-/// An approximate eigenvalue θ of A with its eigenvector, from a Krylov space. A and the equation numbers are
-/// those of growth.hpp.
+/// An approximate eigenvalue θ of A with its eigenvector, from a Krylov space. A and the numbers of equations
+/// are explained in growth.hpp.
 struct RitzPair {
   std::complex<double> theta;
   double residual = std::numeric_limits<double>::infinity();  // residual of the pair, ρ in (5)
@@ -15,7 +15,7 @@ struct RitzPair {
   Eigen::VectorXcd vector = {};
 
   double beyond() const { return std::abs(theta) - 1; }
-  /// Whether the estimated error of θ is small enough to trust |θ| > 1, by (5) of growth.hpp.
+  /// Whether |θ| > 1 is certain, because the estimated error of θ satisfies (5) of growth.hpp.
   bool is_known() const;
 };
 
@@ -28,10 +28,10 @@ class Arnoldi {
   void begin(const Eigen::VectorXd& z);
   void extend(Eigen::Index steps);
   /// The Ritz pair that decides the verdict. Candidates are the accurate pairs (is_known) that lie beyond the
-  /// unit circle by more than `beyond`. Candidates whose rate s has |Im s| ≤ Re s (slower oscillation than
-  /// growth) precede the others; the outermost of them is returned. Without candidates, the outermost of all
-  /// pairs is returned. Pairs that are slow for A (Cayley::is_slow) are ignored. The returned `theta` is NaN
-  /// if A or its eigenvalues could not be computed.
+  /// unit circle by more than `beyond`. Candidates that grow faster than they oscillate (|Im s| ≤ Re s, with
+  /// the rate s) precede the others; otherwise the outermost is returned. Without candidates, the outermost
+  /// of all pairs is returned. Pairs that are slow for A (Cayley::is_slow) are ignored. The returned `theta`
+  /// is NaN if A or its eigenvalues could not be computed.
   RitzPair outermost(double beyond) const;
 
  private:

@@ -13,7 +13,8 @@ namespace netloft {
 namespace {
 
 /// Determines the stability from the tangent at u. A point is neutral if its tangent becomes positive
-/// definite by the addition of a small multiple of the linear stiffness, which stands for rounding errors.
+/// definite by the addition of a small multiple of the linear stiffness, as large as the effect of rounding
+/// errors.
 Stability find_stability(StaticProblem& problem, std::span<const double> u) {
   if (problem.factorise_at(u, 0) == NETLOFT_FACTOR_OK) return Stability::stable;
   const netloft_factor shifted = problem.factorise_at(u, kRoundingOfMatrix);
@@ -26,9 +27,9 @@ bool is_convex_at(StaticProblem& problem, std::span<const double> u) {
   return stability == Stability::stable || stability == Stability::neutral;
 }
 
-/// Whether a point is accepted at which a solver has found no step that helps. The tangent must be positive
-/// definite; the full Newton step must increase the residual, because members change between slack and taut;
-/// and the energy (1) that this step would gain must be negligible (convergence.hpp):
+/// Whether to accept a point at which a solver has found no step that reduces the residual. The tangent must
+/// be positive definite; the full Newton step must increase the residual, because members change between
+/// slack and taut; and the energy (1) that this step would gain must be negligible (convergence.hpp):
 ///   g = ½ r·K⁻¹ r                                                                         (1)
 bool no_step_helps(const Assessment& a, StaticProblem& problem, std::vector<double> u) {
   if (!problem.conservative() || !has_nothing_to_gain(problem.imbalance_of(a.balance), 0, 1) ||
@@ -91,7 +92,7 @@ Growth find_growth_at_rest(const AssembledScene& scene, const Assessment& a, Sta
   return growth;
 }
 
-/// Determines the stability of a point if forces have no energy.
+/// Determines the stability of a point from the motion of the gear, if forces have no energy.
 void find_growing_motion(Assessment& a, const AssembledScene& scene, StaticProblem& problem) {
   Growth growth = find_growth_at_rest(scene, a, problem);
   a.stability = stability_of(growth.verdict);
@@ -102,8 +103,8 @@ void find_growing_motion(Assessment& a, const AssembledScene& scene, StaticProbl
                growth.swings() ? growth.frequency : 0, growth.share};
 }
 
-/// Whether `a` is the equilibrium that was judged before: the distance of both points is at most kSamePlace
-/// of the gear's size, and at most the sum of their estimated errors.
+/// Whether `a` is the equilibrium that was judged before: the distance between both points is at most
+/// kSamePlace times the size of the gear, and at most the sum of their estimated errors.
 bool is_same(const JudgedPoint& judged, const Assessment& a, const StaticProblem& problem,
              const AssembledScene& scene) {
   const Assessment& before = judged.assessment;
@@ -113,7 +114,7 @@ bool is_same(const JudgedPoint& judged, const Assessment& a, const StaticProblem
                         apart <= kSamePlace * problem.scales().gear_size());
 }
 
-/// Whether the stability of a judged point may be reused. Doubtful results are examined again.
+/// Whether the stability of a judged point may be reused. Points with a doubtful result are examined again.
 bool is_decided(Stability s) {
   return s != Stability::neutral && s != Stability::marginal && s != Stability::unknown;
 }
@@ -151,7 +152,7 @@ std::string first_not_convex(const StaticProblem& problem, const Assembler& asse
                              assembler.numbering().node(Dof(std::max(0, problem.last_factor().column))));
 }
 
-/// The operations counted in `now` but not yet in `before`.
+/// The operations counted in `now` since `before` was counted.
 Statistics since(const Statistics& before, const Statistics& now) {
   Statistics b;
   b.energies = now.energies - before.energies;

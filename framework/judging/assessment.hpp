@@ -10,9 +10,9 @@ enum class SolveStatus { converged, unstable, not_converged, interrupted };
 
 /// Whether a small disturbance of an equilibrium decays. If forces have an energy, the tangent decides.
 /// Otherwise growth.hpp decides, and `stable` means that no growing disturbance was found. `swinging` means
-/// that the fastest growing motion oscillates (Growth::swings), as an empty cod-end flaps: the gear does not
-/// come to rest near the equilibrium, but its motion may remain small. `local` means that a negligible part
-/// of the gear is swinging or unstable, and that the rest of it is not (Growth::is_local).
+/// that the fastest growing motion oscillates (Growth::swings), like the flapping of an empty cod-end: the
+/// gear does not come to rest near the equilibrium, but its motion may remain small. `local` means that only
+/// a negligible part of the gear is swinging or unstable (Growth::is_local).
 enum class Stability { stable, neutral, marginal, local, swinging, unstable, unknown };
 
 /// The motion into which a small disturbance of u grows, if forces have no energy.
@@ -24,7 +24,7 @@ struct GrowingMotion {
   double share = 1;                // fraction of the gear's mass that it moves, (1) of extent.hpp
 };
 
-/// The remaining Newton step at a point: an estimate of its distance from the equilibrium.
+/// One more Newton step from a point. Its length estimates the distance of the point from the equilibrium.
 struct StepLeft {
   std::vector<double> x;      // positions after the step, over all dofs; empty: unknown
   std::vector<double> x_low;  // digits that rounding removes from x [m]; empty: unknown
@@ -54,15 +54,15 @@ struct JudgedPoint {
   std::vector<double> memory;  // memory of the elements
 };
 
-/// The assessed point and its remaining Newton step, in the form that linear_motion.hpp reads.
+/// Converts the assessed point and its remaining Newton step to the input of linear_motion.hpp.
 RestPlace rest_place(const Assessment& a, double gear_size);
 
-/// Whether forces balance, stable or not.
+/// Whether the forces balance, at a stable or unstable point.
 inline bool is_stationary(const Assessment& a) {
   return a.status == SolveStatus::converged || a.status == SolveStatus::unstable;
 }
 
-/// Whether the growing motion oscillates. The equilibrium may be accepted nevertheless.
+/// Whether the growing motion oscillates. The equilibrium may still be accepted.
 inline bool flutters(const Assessment& a) { return a.growing.frequency > 0; }
 
 /// Assesses displacements u of the unknowns, at which a solver ended with `outcome`: recomputes the residual,

@@ -31,7 +31,7 @@ double largest_node_distance(const Scene& scene, const Numbering& numbering, std
                              std::span<const double> y);
 
 /// Points at a distance up to this fraction of the gear's size count as the same. Near an equilibrium, the
-/// energy grows with the square of the distance, and energies are exact to the tolerance.
+/// energy grows with the square of the distance, and its relative error is about the tolerance.
 inline const double kSamePlace = std::sqrt(kTolerance);
 
 }  // namespace netloft

@@ -18,7 +18,8 @@ struct StageRecord {
 
 /// Cost of a solution, and the stages (solves) that led to it.
 struct Cost {
-  // The sum over all stages. Times include the checks of the host after the last stage; counts do not.
+  // The sum over all stages. Its times include the checks of the host after the last stage, its counts do
+  // not.
   Statistics statistics;
   double work = 0;                  // work of all stages, in Newton iterations of the scene (work.hpp)
   std::vector<StageRecord> stages;  // in the order in which they ran; one if the strategy solved only once

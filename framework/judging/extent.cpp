@@ -10,11 +10,11 @@ namespace netloft {
 
 namespace {
 
-// Largest number of separate local motions. Each takes a search for growing motions. The value is chosen: of
-// 201 equilibria of the trawl 83-112 at sea, 8 had such motions.
+// Largest number of separate local motions. Each of them costs another search for growing motions. The value
+// is chosen: of 201 equilibria of the trawl 83-112 at sea, 8 had such motions.
 constexpr int kLocalMotions = 3;
 
-/// The mass of the gear, each unknown counting a third of its own.
+/// The mass of the gear. The three unknowns of a node count a third of its mass each.
 double mass_of(const SparsePattern& pattern, const LinearMotion& motion) {
   double trace = 0;
   for_entries(
@@ -33,7 +33,7 @@ double square_by_mass(const SparsePattern& pattern, const LinearMotion& motion,
   return sum;
 }
 
-/// The share (1) of a motion in which nodes have these amplitudes.
+/// The share of the gear's mass, (1) of extent.hpp, that a motion with these amplitudes of nodes moves.
 double share_of(const SparsePattern& pattern, const LinearMotion& motion, const Growth& growth,
                 const std::vector<double>& amplitudes) {
   const double furthest = *std::max_element(amplitudes.begin(), amplitudes.end());
@@ -43,7 +43,7 @@ double share_of(const SparsePattern& pattern, const LinearMotion& motion, const 
   return share >= 0 ? share : 1;
 }
 
-/// Holds unknowns: each becomes a damped oscillator of its own.
+/// Holds unknowns by making each one a damped oscillator that is coupled to no other unknown.
 void hold(const SparsePattern& pattern, const std::vector<bool>& is_held, LinearMotion& motion) {
   for (std::int32_t c = 0; c < pattern.size; ++c)
     for (auto k = static_cast<std::size_t>(pattern.column_start[static_cast<std::size_t>(c)]);

@@ -4,21 +4,22 @@
 
 namespace netloft {
 
-/// Least amplitude, as a fraction of the largest one, at which a node counts as moving with a growing motion.
+/// A node takes part in a growing motion if its amplitude is at least this fraction of the largest amplitude.
 inline constexpr double kMoves = 0.1;
 
-/// The amplitude of each node in a motion with the shape `mode` and, a quarter of a period later,
-/// `mode_later`, both over the unknowns. An empty `mode_later` means that the motion does not oscillate.
+/// The amplitude of each node in a motion that has the shape `mode` and, a quarter of a period later, the
+/// shape `mode_later`, both given for all unknowns. An empty `mode_later` means that the motion does not
+/// oscillate.
 std::vector<double> node_amplitudes(const Numbering& numbering, const std::vector<double>& mode,
                                     const std::vector<double>& mode_later);
 
 /// Sets Growth::share and is_local of a growing motion. The share is the mass that would have the kinetic
 /// energy of the motion if it moved as far as the furthest node, over the mass of the gear:
 ///   share = Σ yᵀM y/(d² m),   m = ⅓ tr M                                                  (1)
-/// y are the mode and the mode a quarter of a period later, and d is the largest amplitude of a node. Both
-/// masses include added mass. The motion is local if its share is at most kMatters, and nothing grows any
-/// more when the nodes that move are held. If something still grows, the same holds for its motion, at most
-/// kLocalMotions times and with the sum of the shares. Changes the matrices of `motion`.
+/// y stands for the mode and the mode a quarter of a period later; d is the largest amplitude of a node. Both
+/// masses include added mass. The motion is local if its share is at most kMatters and nothing grows any more
+/// when the nodes that take part are held. If something still grows then, its nodes are held as well, and so
+/// on for at most kLocalMotions motions, whose shares add up. Changes the matrices of `motion`.
 void find_extent(const Assembler& assembler, LinearMotion& motion, Factors& factors, Growth& growth);
 
 }  // namespace netloft

@@ -14,24 +14,24 @@ namespace netloft {
 
 namespace {
 
-// Least shift σ of (4) in growth.hpp, and the factor by which another σ is tried if K + σC + σ²M is singular.
-// Growth slower than 1e-4/s, which is tenfold in six hours, is not found.
+// Least shift σ of (4) in growth.hpp. If K + σC + σ²M is singular, σ is multiplied by kOtherSigma. Growth
+// slower than 1e-4/s, which is tenfold in six hours, is not found.
 constexpr double kLeastSigma = 1e-3, kOtherSigma = 1.3;
-// Number of steps of the Arnoldi iteration, doubled once if they do not decide. If powers of A decide
-// instead, growth is measured over this number of powers, at most this number of times.
+// Number of steps of the Arnoldi iteration, doubled once if the result is not clear. If the powers of A
+// decide instead, growth is measured over kSteps powers at a time, at most kSteps times.
 constexpr int kSteps = 24;
-// Distance from the unit circle beyond which Ritz values are examined. For a growth that is just more than
-// marginal, |μ| − 1 is ten times this number at σ = |s|, and twice this number if σ differs from |s| by the
-// factor kOff. Growth of powers that falls by this fraction between two measurements may be transient.
+// Distance from the unit circle beyond which Ritz values are examined. For a growth just above marginal, |μ|
+// − 1 is ten times this number if σ = |s|, and twice this number if σ differs from |s| by the factor kOff. If
+// the growth of powers falls by this fraction between two measurements, it may be transient.
 constexpr double kDistanceFromCircle = (kMarginalGrowth - 1) / kOff;
-// The ratio c = Re s/|s| at which |μ| of (6) in growth.hpp is kMarginalGrowth.
+// The ratio c = Re s/|s| for which (6) in growth.hpp gives |μ| = kMarginalGrowth.
 constexpr double kLeastCosine =
     (kMarginalGrowth * kMarginalGrowth - 1) / (kMarginalGrowth * kMarginalGrowth + 1);
 
 using Vector = Eigen::VectorXd;
 using Complex = std::complex<double>;
 
-/// A vector that is multiplied repeatedly by the operator A (cayley.hpp) and scaled to length 1.
+/// A vector that is repeatedly multiplied by the operator A (cayley.hpp) and then scaled to length 1.
 class Powers {
  public:
   Powers(Cayley& A) : A_(A), z_(A.start()) {}
@@ -79,7 +79,7 @@ void take_mode(const Eigen::VectorXcd& y, Growth& g) {
 Growth growth_of(const RitzPair& pair, const Cayley& A) {
   const Complex s = A.rate(pair.theta);
   const Eigen::VectorXcd y = pair.vector.head(A.unknowns()).normalized();
-  // Powers of A grew, although the motion of this eigenvalue decays.
+  // The powers of A grew, but the motion that belongs to this eigenvalue decays.
   if (!(s.real() > 0)) return {.verdict = GrowthVerdict::marginal};
   Growth g{.verdict = GrowthVerdict::grows};
   const double c = std::min(1.0, s.real() / std::abs(s));
@@ -95,8 +95,8 @@ Growth growth_of(const RitzPair& pair, const Cayley& A) {
   return g;
 }
 
-/// Verdict by the growth of powers of A, used if the largest Ritz value is not accurate enough. Growth that
-/// falls from 24 powers to the next 24 may be transient.
+/// Verdict by the growth of powers of A, used if the largest Ritz value is not accurate enough. If growth
+/// becomes slower from 24 powers to the next 24, it may be transient.
 Growth growth_by_powers(Cayley& A, Arnoldi& arnoldi) {
   Powers powers(A);
   const GrowthVerdict verdict = powers.judge();
@@ -119,7 +119,7 @@ RitzPair checked(Cayley& A, RitzPair pair) {
   return pair;
 }
 
-/// Verdict for the current shift σ of A.
+/// The verdict on growth that A finds with its current shift σ.
 Growth growth_by(Cayley& A, Arnoldi& arnoldi) {
   arnoldi.begin(A.start());
   for (const int steps : {kSteps, 2 * kSteps}) {
@@ -134,8 +134,8 @@ Growth growth_by(Cayley& A, Arnoldi& arnoldi) {
 
 double sigma_at(int step) { return kLeastSigma * std::pow(kOff * kOff, step); }
 
-/// Index of the largest shift σ, the first that is not below the fastest possible rate. Successive shifts
-/// differ by a constant factor.
+/// Index of the largest shift σ. Successive shifts differ by a constant factor, and the last one is not below
+/// the fastest possible rate.
 int steps_of_sigma(double fastest) {
   int steps = 0;
   while (sigma_at(steps) < fastest && std::isfinite(sigma_at(steps))) ++steps;
@@ -152,7 +152,7 @@ Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, Fac
   const auto is_decided = [&] {
     return most.verdict == GrowthVerdict::unknown || (most.grows() && !most.swings());
   };
-  // The loop continues after an oscillation, because a slower divergence takes precedence.
+  // After an oscillation, the loop continues: a divergence takes precedence, even if it is slower.
   for (int step = steps_of_sigma(fastest_growth(pattern, motion, kLeastCosine)); step >= 0 && !is_decided();
        --step) {
     const double sigma = sigma_at(step);

@@ -4,11 +4,11 @@
 
 namespace netloft {
 
-/// A growth factor per step up to this value cannot be distinguished from one; see (6) below.
+/// Growth factors per step up to this value cannot be distinguished from 1 (no growth); see (6) below.
 inline constexpr double kMarginalGrowth = 1.01;
 /// A growing motion oscillates if its angular frequency exceeds this multiple of its growth rate. Otherwise
-/// it grows by at least exp(10 π) in half a period, from the rounding error of a double to the size of the
-/// gear, so that it never completes a period.
+/// it grows by at least exp(10 π) in half a period, as much as from a rounding error to the size of the gear,
+/// so that it never completes a period.
 inline constexpr double kOscillates = 0.1;
 
 enum class GrowthVerdict { none, marginal, grows, unknown };
@@ -16,7 +16,7 @@ enum class GrowthVerdict { none, marginal, grows, unknown };
 /// Growth of a small disturbance, and the motion into which it develops.
 struct Growth {
   GrowthVerdict verdict = GrowthVerdict::none;
-  double per_power = 0;           // largest growth factor |μ| of (6) for all σ; zero if nothing grows
+  double per_power = 0;           // largest growth factor |μ| of (6) for any σ; zero if nothing grows
   double rate = 0;                // growth rate Re s of the growing motion [1/s]
   double frequency = 0;           // Im s, its angular frequency [rad/s]; zero for a divergence
   std::vector<double> mode = {};  // shape over the unknowns, of length 1; empty if nothing grows
@@ -33,10 +33,10 @@ struct Growth {
 /// Stability of an equilibrium whose forces have no energy (drag, pressure), by its linear motion
 ///   M ÿ + C ẏ + K y = 0,   M = ∂r/∂ẍ,   C = ∂r/∂ẋ,   K = ∂r/∂x                            (1)
 /// with all masses and added masses, the damping by the flow and the losses of the material. C may drive a
-/// motion, as for boards beyond their greatest lift and spheres in their drag crisis. y decays if every s of
-/// (s²M + sC + K) y = 0 has Re s < 0. A real s > 0 (divergence) exists for any M and C if det K < 0; growth
-/// of a complex pair (flutter) depends on M and C (V. V. Bolotin, Nonconservative Problems of the Theory of
-/// Elastic Stability, 1963). Unknowns with neither mass nor damping get
+/// motion, for instance of boards beyond their greatest lift or of spheres in their drag crisis. y decays if
+/// (s²M + sC + K) y = 0 has only solutions with Re s < 0. A real s > 0 (divergence) exists for any M and C if
+/// det K < 0; growth of a complex pair (flutter) depends on M and C (V. V. Bolotin, Nonconservative Problems
+/// of the Theory of Elastic Stability, 1963). Unknowns with neither mass nor damping get
 ///   C = τ G,   G the linear stiffness,   τ = 1 ms                                          (2)
 /// One step of the trapezoidal rule over 2/σ is the Cayley transform of (1), with one factorisation:
 ///   (K + σC + σ²M) d = 2 (σM v − K y),   y ← y + d,   v ← σ d − v,   v = ẏ                 (3)
@@ -56,7 +56,7 @@ struct Growth {
 /// without damping, which a little damping may stop or not (Bolotin); if powers do not settle; or by (7) in
 /// cayley.hpp. It is `unknown` if K + σC + σ²M could not be factorised. It depends neither on chance nor on a
 /// clock.
-/// `factors`, those of the pattern, count the cost. The memory of the matrices in `motion` is used again.
+/// `factors` must be those of this pattern; they count the cost. The matrices in `motion` are overwritten.
 /// Only the function with an assembler finds the extent of a growing motion.
 Growth find_growth(Assembler& assembler, const RestPlace& place, Factors& factors, LinearMotion motion = {});
 Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, Factors& factors);

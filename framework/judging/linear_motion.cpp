@@ -13,10 +13,10 @@ namespace netloft {
 
 namespace {
 
-// Time constant τ of (2) in growth.hpp, for unknowns with neither mass nor damping [s]
+// Time constant τ [s] of (2) in growth.hpp, for unknowns without mass and damping.
 constexpr double kTimeToFollow = 1e-3;
-// Multiple of the linear stiffness that is added to K₊ in the norm (8) of cayley.hpp, for directions without
-// any other stiffness. It is the geometric mean of the rounding error of a matrix and the least stiffness
+// Multiple of the linear stiffness that is added to K₊ in the norm (8) of cayley.hpp, for directions that
+// have no other stiffness. It is the geometric mean of the rounding error of a matrix and the least stiffness
 // that matters.
 const double kMetricFraction = std::sqrt(kRoundingOfMatrix * kMatters);
 
@@ -24,8 +24,7 @@ const double kMetricFraction = std::sqrt(kRoundingOfMatrix * kMatters);
 /// while visit returns true. The pattern must be that of a symmetric matrix, as all patterns of scenes are.
 template <class Visit>
 bool for_pairs(const SparsePattern& p, Visit&& visit) {
-  // For each column, the next entry above the diagonal that was not visited; entries are visited in this
-  // order.
+  // For each column, the entry above the diagonal that is visited next.
   std::vector<std::int32_t> next(p.column_start.begin(), p.column_start.end());
   for (std::int32_t c = 0; c < p.size; ++c)
     for (auto k = static_cast<std::size_t>(p.column_start[static_cast<std::size_t>(c)]);
@@ -81,8 +80,8 @@ std::vector<double> diagonal_of(const SparsePattern& p, std::span<const double> 
   return diagonal;
 }
 
-/// For each unknown, the rate at which C drives it [1/s], −Re d/m of (6c); zero if C damps it. In a pair with
-/// a massless unknown, both unknowns get the mass of the other one. A massless unknown alone has no rate.
+/// For each unknown, the rate at which C drives it [1/s], −Re d/m of (6c); zero if C damps it. If one unknown
+/// of a pair has no mass, the mass of the other one is used for both. A massless unknown alone has no rate.
 std::vector<double> driven_rates(const SparsePattern& p, std::span<const double> C,
                                  std::span<const double> mass) {
   const std::vector<double> damping = diagonal_of(p, C);
@@ -129,8 +128,8 @@ std::vector<double> between(std::span<const double> a, std::span<const double> b
   return there;
 }
 
-/// Change of K over the remaining Newton step (LinearMotion::K_error); empty if the step is not known, or
-/// elements are undefined at its end.
+/// Change of K over the remaining Newton step (LinearMotion::K_error); empty if the step is not known, or if
+/// forces are undefined at its end.
 std::vector<double> change_of_stiffness(Assembler& assembler, const RestPlace& at,
                                         const std::vector<double>& K, Statistics& cost) {
   if (at.after.empty()) return {};
@@ -177,7 +176,7 @@ bool is_stable_by_energy(const SparsePattern& p, const LinearMotion& m, Factors&
 }
 
 bool linearise(Assembler& assembler, const RestPlace& at, Statistics& cost, LinearMotion& m) {
-  const std::size_t slots = assembler.value_slots();  // there are more slots than entries of the pattern
+  const std::size_t slots = assembler.value_slots();  // the array has more slots than the pattern has entries
   std::vector<double> metric(slots);
   for (auto* A : {&m.K, &m.C, &m.M, &m.convex}) A->assign(slots, 0.0);
   const double* low = at.x_low.empty() ? nullptr : at.x_low.data();

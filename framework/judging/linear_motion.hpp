@@ -25,7 +25,7 @@ struct RestPlace {
   std::span<const double> x_low = {};  // digits that rounding removes from x; empty: unknown
   std::span<const double> after = {};  // x after the remaining Newton step; empty: unknown
   std::span<const double> after_low = {};
-  double fraction = 1;  // fraction of that step within which points count as the same (kSamePlace)
+  double fraction = 1;  // part of that step within which points count as the same (kSamePlace)
 };
 
 /// Evaluates the matrices at a point and counts them in `cost`. Returns false if an element failed, which
@@ -35,23 +35,23 @@ bool linearise(Assembler& assembler, const RestPlace& place, Statistics& cost, L
 /// Rounding error of a matrix that is assembled from many elements, relative to its largest entry.
 inline constexpr double kRoundingOfMatrix = 1e-9;
 
-/// Whether (9) holds, so that the energy (8) of cayley.hpp falls and no disturbance grows:
+/// Whether (9) holds; then the energy (8) of cayley.hpp never increases, and no disturbance grows:
 ///   M and K symmetric, K and M positive definite, C + Cᵀ positive semidefinite             (9)
-/// Cholesky factorisations decide, which `factors` counts. It is not enough that K + Kᵀ is positive definite:
-/// for M = 1 and K = [1 −b; b 1], s² = −1 ± ib, so that a motion grows for any b ≠ 0.
+/// This is determined by Cholesky factorisations, which `factors` counts. A positive definite K + Kᵀ would
+/// not be enough: for M = 1 and K = [1 −b; b 1], s² = −1 ± ib, so that a motion grows for any b ≠ 0.
 bool is_stable_by_energy(const SparsePattern& pattern, const LinearMotion& motion, Factors& factors);
 
-/// The largest |s| of a motion y exp(st) that grows with c = Re s/|s| of at least `fraction` [1/s]; zero if
-/// none can grow. With K = K₊ + N, m = y*My, d = y*Cy, k = y*K₊y and n = y*Ny (y* is the conjugate
-/// transpose), the real part of (1) of growth.hpp, multiplied by y* and divided by s, is
+/// Bound of |s| [1/s] for motions y exp(st) that grow with c = Re s/|s| of at least `fraction`; zero if none
+/// can grow. With K = K₊ + N, m = y*My, d = y*Cy, k = y*K₊y and n = y*Ny (y* is the conjugate transpose), the
+/// real part of (1) of growth.hpp, multiplied by y* and divided by s, is
 ///   Re s (m + k/|s|²) + Re d + Re(n/s) = 0,   m, k ≥ 0                                    (6a)
 ///   c|s|m ≤ −Re d + |n|/|s|                                                               (6b)
 ///   |s| ≤ max(−Re d, 0)/(cm) + (|n|/(cm))^½                                               (6c)
-/// (6c) depends neither on K₊, the stiffness of taut members, nor on a C that damps. The result is the
-/// largest value of (6c) for a single unknown, where −Re d/m is that of the unknown with any other one: minus
-/// the smaller eigenvalue of their 2 x 2 part of ½ (C + Cᵀ), relative to their masses. It may be ten times
-/// too small; the greatest σ still finds rates that are ten times larger. An unknown without mass moves at
-/// the rate K/C.
+/// Neither K₊, the stiffness of taut members, nor a C that damps affects (6c). The result is the largest
+/// value of (6c) over all unknowns. For an unknown, −Re d/m is the largest over all pairs with another
+/// unknown: minus the smaller eigenvalue of the 2 x 2 part of ½ (C + Cᵀ), relative to the masses. The result
+/// may be ten times too small, which does no harm: the greatest σ still finds rates that are ten times
+/// larger. An unknown without mass moves at the rate K/C.
 double fastest_growth(const SparsePattern& pattern, const LinearMotion& motion, double fraction);
 
 /// Calls visit(row, column, values[slot]…) for every entry of whole matrices of one pattern, symmetric or

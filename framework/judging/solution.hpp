@@ -4,7 +4,7 @@
 
 namespace netloft {
 
-/// An equilibrium of the gear, other than the solution, that was found and is not unstable.
+/// Another equilibrium of the gear that was found besides the solution and is not unstable.
 struct OtherShape {
   double energy = 0;           // [J]
   double distance = 0;         // largest distance of a node from its position in the solution [m]
@@ -17,7 +17,7 @@ struct OtherShape {
 /// (framework/search/shapes.hpp).
 struct Shapes {
   bool by_energy = false;  // whether the solution is the equilibrium of least energy, not the first one found
-  int restarts = 0, times = 1;  // times: how often the solution was found, at least once
+  int restarts = 0, times = 1;  // times: how often the solution was found, at least 1
   std::vector<OtherShape> others;
 };
 
@@ -33,11 +33,11 @@ struct Solution : Assessment {
   std::vector<double> u;  // displacements of the unknowns; x are the positions
   SolverRun run;
   Cost cost;
-  bool does_not_settle = false;  // whether the solver's path exceeded Limits::path, or motions did not come
-                                 // to rest
+  bool does_not_settle = false;  // whether the path of the solver exceeded Limits::path, or motions did not
+                                 // come to rest
   Shapes shapes;
-  // The factors that were found for the scene's settings, for example on the lengths of ropes that must bear
-  // given forces (search/settings.hpp).
+  // The factors found for the settings of the scene (search/settings.hpp), such as the length of a rope that
+  // must bear a given force.
   std::vector<double> factors;
   std::vector<std::string> diagnostics;  // possible reasons why the solver did not converge
 };

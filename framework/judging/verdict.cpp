@@ -5,7 +5,7 @@ namespace netloft {
 
 namespace {
 
-/// The result if a solver was not started: the start of the scene, and the reason.
+/// The result if no solver was started: the initial positions of the scene, and the reason.
 Solution not_started(const Assembler& assembler, std::span<const double> start, std::string why) {
   Solution s;
   s.reason = std::move(why);

@@ -16,15 +16,15 @@ struct StartPoint {
   Positions positions = Positions::plain;
 };
 
-/// The reason why a solver cannot work on problems with these traits (traits_of), for example because it
-/// needs an energy; nullopt if the solver can work on them.
+/// The reason why a solver cannot work on problems with these traits (traits_of), for example that it needs
+/// an energy; nullopt if there is none.
 std::optional<std::string> why_unfit(const SolverType& solver, std::uint32_t problem_traits);
 
 /// Lets `solver` find the static equilibrium of a scene, and assesses its final point, including its distance
 /// from the equilibrium (`correction`). A stationary point is unstable if its tangent is not positive
-/// definite, or, if forces have no energy, if a disturbance grows (Judging::examine_growth). A solver that
-/// cannot work on the scene is not started. The memory of elements (friction) does not change, so that the
-/// equilibrium depends on what happened to the scene before the call.
+/// definite. If forces have no energy, it is unstable if a disturbance grows (Judging::examine_growth). A
+/// solver that cannot work on the scene is not started. The memory of elements (friction) does not change, so
+/// that the equilibrium depends on the history of the scene before this call.
 Solution solve_static(const AssembledScene& scene, SolverChoice solver, const Limits& limits,
                       StartPoint start = {}, Observer observer = {});
 

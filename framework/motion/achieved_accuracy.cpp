@@ -10,14 +10,14 @@ namespace netloft {
 
 namespace {
 
-// Ratios r of the steps of the second march to those of the first, see achieved_accuracy.hpp: kShorter if
+// Ratios r between the steps of the second and of the first march (achieved_accuracy.hpp): kShorter if
 // stability limits the steps, otherwise kLonger.
 constexpr double kLonger = 2, kShorter = 0.5;
 // Least relative difference between the mean steps of both marches. Steps that differ by less give no
 // estimate of the error.
 constexpr double kLeastDifference = 0.1;
-// Displacement of a disturbed start, divided by the length of the longest element: far below what can be
-// measured on a gear. Steps are solved at least as accurately, see limits_of_comparison().
+// Displacement of a disturbed start, divided by the length of the longest element: far below anything that
+// can be measured on a gear. limits_of_comparison() makes the tolerance of steps at least as small.
 constexpr double kDisturbance = 1e-7;
 
 double distance(const std::vector<double>& here, const std::vector<double>& there, std::size_t first) {
@@ -69,7 +69,7 @@ void note_step_error(const StepControl& control, const Numbering& numbering, std
 
 void note_path_error(const std::vector<double>& here, const std::vector<double>& there, double t,
                      double longer, MarchState& state) {
-  if (!(std::abs(longer - 1) >= kLeastDifference)) return;  // true also if the ratio is NaN
+  if (!(std::abs(longer - 1) >= kLeastDifference)) return;  // written so that a NaN counts, too
   for (std::size_t i = 0; i < here.size(); i += 3) {
     const double apart = distance(here, there, i);
     const double error = apart == 0 ? 0 : apart / std::min(1.0, std::abs(longer - 1));  // (1)

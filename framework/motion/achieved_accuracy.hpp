@@ -15,18 +15,18 @@
 namespace netloft {
 
 /// Achieved accuracy of a march (an integration in time), relative to the longest element: the estimated
-/// errors of single steps, if steps are adaptive, and the error of the path, if the user requested it. A
-/// motion can amplify the errors of single steps, and fixed steps have no estimate. Therefore the host can
-/// integrate a second time with steps r times as long (r = 2, or ½ if stability limits the steps). It
-/// estimates the error of the path as
+/// errors of single steps, if steps are adaptive, and the error of the path, if the user requested it. Errors
+/// of single steps do not give the error of the path, because a motion can amplify them, and fixed steps have
+/// no error estimate. Therefore the host can integrate a second time, with steps r times as long (r = 2, or ½
+/// if stability limits the steps). It estimates the error of the path as
 ///   the largest distance of a node between the two marches at an output / min(1, |r − 1|)       (1)
 /// where r is the ratio of the mean steps. Outputs at which r differs from 1 by less than a tenth are
 /// ignored; if all are ignored, the error is unknown. The estimate is an upper bound if the error is at least
 /// proportional to the step. In a chaotic motion, such as the fall of a slack chain or the motion after a
 /// snap, any error grows until it is as large as the motion, no matter how short the steps are. The host
 /// therefore compares the second march with a third one, which has the same steps and a start displaced by
-/// 1e-7 of the longest element. From the time at which the second and the third march differ by more than the
-/// accuracy, the path cannot be predicted, and (1) is no longer updated.
+/// 1e-7 of the longest element. As soon as the second and the third march differ by more than the accuracy,
+/// the path cannot be predicted any more, and (1) is no longer updated.
 struct AchievedAccuracy {
   double asked = 0;    // requested accuracy of the path
   double element = 0;  // extent of the longest element along one axis [m]
@@ -38,9 +38,10 @@ struct AchievedAccuracy {
   // errors.
   double sum = 0;
   bool is_checked =
-      false;  // whether the march was compared with another one; then the following members are known
-  // Error of the path by (1), at time path_at and node path_of. Infinite: the second march failed, for the
-  // reason path_of; NaN: unknown, because the steps of both marches had the same length.
+      false;  // whether the march was compared with another one; only then are the following members known
+  // Error of the path by (1), at time path_at and node path_of. It is infinite if the second march failed
+  // (path_of then has the reason), and NaN if it is unknown because both marches had steps of the same
+  // length.
   double path = 0;
   double path_at = 0;  // [s]
   std::string path_of = {};
@@ -55,8 +56,8 @@ struct AchievedAccuracy {
 MarchSettings settings_of_comparison(const MarchSettings& settings, bool is_bounded_by_stability);
 
 /// Limits of the second and the third march (integration in time, see AchievedAccuracy): `limits`, but with a
-/// tolerance of at most the relative displacement of disturb(). Errors of steps that are solved less
-/// accurately would hide the disturbance.
+/// tolerance no larger than the relative displacement of disturb(), because larger errors would hide that
+/// displacement.
 Limits limits_of_comparison(const Limits& limits);
 
 /// Settings of the third march, with which the second one is compared.

@@ -12,8 +12,8 @@ namespace netloft {
 namespace {
 
 /// Fraction of a step over which the power of winches is evaluated: short enough for a loaded rope to stay
-/// taut while it is paid out, and long enough for differences of energies to have 10 digits. The work of a
-/// loaded winch is the same within 0.1 % for 1e-3 to 1e-8; 1e-2 loses 8 % of it.
+/// taut while it is paid out, and long enough for differences of energies to have 10 digits. Values from 1e-3
+/// to 1e-8 give the same work of a loaded winch within 0.1 %; 1e-2 gives 8 % less.
 constexpr double kPartOfStep = 1e-4;
 
 /// Whether a term is a damper: it resists a velocity and depends neither on the flow of water nor on a
@@ -89,9 +89,9 @@ void EnergyBudget::retract() {
 }
 
 /// Adds the work of winches in a step, (7) of energy_budget.hpp, from the power ∂E/∂t at both ends of the
-/// step, each at constant positions. The change of E over the whole step at constant positions would be
-/// wrong: it would stretch elements by all the rope that is hauled in during the step. This is many times the
-/// actual strain of a stiff rope, and E rises with the square of the strain.
+/// step, each at constant positions. Changing the rope length by that of the whole step, at constant
+/// positions, would be wrong: it would stretch the rope by all the length hauled in during the step, many
+/// times its actual strain, and E rises with the square of the strain.
 bool EnergyBudget::add_winches(const MeanStep* mean) {
   if (mean) return add_winches_of_means(mean->t);
   const double h = next_.t - now_.t;
@@ -101,8 +101,8 @@ bool EnergyBudget::add_winches(const MeanStep* mean) {
   return true;
 }
 
-/// Evaluates the power ∂E/∂t at a moment by a one-sided difference that is exact for a quadratic function.
-/// `h` [s] is negative at the end of a step, so that the difference lies within the step.
+/// Evaluates the power ∂E/∂t at a moment by a one-sided difference of second order. `h` [s] is negative at
+/// the end of a step, so that the difference lies within the step.
 bool EnergyBudget::find_power(const Moment& m, double h, double& power) {
   const double tau = kPartOfStep * h;
   double here = 0, near = 0, far = 0;
@@ -170,7 +170,7 @@ bool EnergyBudget::add_means(const MeanStep& mean, double kinetic_before) {
 }
 
 /// Sets the state of `to`. The vector to.q contains displacements of unknowns and positions of held degrees
-/// of freedom; of the latter, only guided ones change.
+/// of freedom. Positions of held degrees of freedom change only if a guide moves them.
 void EnergyBudget::place(double t, std::span<const double> u, std::span<const double> v,
                          std::span<const double> a, Moment& to) {
   const auto put = [](std::span<const double> own, std::vector<double>& all) {
@@ -238,8 +238,8 @@ bool EnergyBudget::restate(double t, std::span<const double> u, std::span<const 
   return find_forces(now_);
 }
 
-/// Evaluates r_M(0, v) of (4) in energy_budget.hpp at the moment m: the inertia force of turning bodies that
-/// have no acceleration. state_ must have been set to m.
+/// Evaluates r_M(0, v) of (4) in energy_budget.hpp at the moment m: the inertia force of bodies that turn at
+/// a constant rate. state_ must have been set to m.
 bool EnergyBudget::find_turning(Moment& m) {
   m.turning.clear();
   if (!assembler_.has_bodies()) return true;
@@ -256,7 +256,7 @@ bool EnergyBudget::find_forces(Moment& m) {
     if (!work_[k].in_the_middle && !sum_force(work_[k], m.x, motion, m.works[k])) return false;
   Kinematics as_rates = motion;
   as_rates.v = nullptr;
-  as_rates.a = state_.v().data();  // the inertia force for the acceleration a = v is the momentum M v
+  as_rates.a = state_.v().data();  // with a = v, the inertia force is the momentum M v
   if (!sum_force(inertia_, m.x, as_rates, m.damping)) return false;
   kinetic_ = 0.5 * dot(m.damping, m.rates);  // (3)
   if (!find_turning(m)) return false;

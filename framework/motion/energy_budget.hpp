@@ -22,8 +22,8 @@ namespace netloft {
 ///   numerical = (6) + (7) − Δ(2) − Δ(3) − (4) − (5)     taken by the scheme; zero if (1) held at all times
 /// r_M(0, v) is the inertia force of turning rigid bodies that have no acceleration; the second term of (4)
 /// balances it. Dampers in (5) are evaluated in the middle of each step at the rate Δx/h, because a force
-/// that sets in within a step must not count as if it had acted for half of the step. For the trapezoidal
-/// rule on a linear system, (1) and the budget hold exactly.
+/// that begins to act within a step must not count as if it had acted for half of the step. For the
+/// trapezoidal rule on a linear system, (1) and the budget hold exactly.
 ///
 /// If a scheme uses mean forces (MeanStep), the budget sums their work instead. For a step of length h from
 /// x₀ to x₁, with the forces f in its middle:
@@ -42,7 +42,8 @@ class EnergyBudget {
   bool advance(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a,
                const MeanStep* mean = nullptr);
   void retract();
-  /// Evaluates the forces of the last state again, after elements have stored it in their memory.
+  /// Evaluates the forces of the last state again. Needed after elements have stored this state in their
+  /// memory.
   bool refresh() { return find_forces(now_); }
   /// Replaces the rotation vectors of bodies in the last state by shorter vectors of the same rotations.
   bool restate(double t, std::span<const double> u, std::span<const double> v, std::span<const double> a);
@@ -50,20 +51,21 @@ class EnergyBudget {
   /// Names and values [J], in the same order.
   std::vector<std::string> names() const;
   std::vector<double> values() const;
-  /// Energies of the last state, and works since the start, for EnergyJudge.
+  /// Energies of the last state, and work since the start, for EnergyJudge.
   struct Totals {
     double kinetic = 0, stored = 0, numerical = 0;
     std::vector<double> given;  // work done on the gear by holds, by winches, and by each force without an
                                 // energy; negative: taken from it
   };
   Totals totals() const;
-  /// The sums since the start. A resumed march needs them in addition to `begin` at the same state.
+  /// The sums since the start. A resumed march calls `begin` at the same state and then continues with these
+  /// sums.
   std::vector<double> sums() const;
   void set_sums(std::span<const double> sums);
 
  private:
-  /// The energies or works of all active terms that have the same name, such as "drag", as one account.
-  /// `value` is their current energy, or, for terms without an energy, the sum of their work.
+  /// The energy or work of all active terms with the same name, such as "drag", together. `value` is their
+  /// current energy, or, for terms without an energy, the sum of their work.
   struct Account {
     std::string name;
     std::vector<std::pair<std::size_t, std::size_t>> terms;  // indices of family and term

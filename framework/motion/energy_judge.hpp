@@ -7,18 +7,18 @@
 
 namespace netloft {
 
-/// Decides whether a motion contains energy that nothing supplied, because the time scheme created it. Each
-/// examined step represents n steps. Δ is the change of an EnergyBudget::Totals over an examined step; sums
-/// run over the examined steps, maxima over time. K₀ and E₀ are the kinetic and the stored energy at the
-/// start, E the stored energy, and k counts holds, winches and forces without an energy:
+/// Decides whether a time scheme has created energy in a motion, so that it contains energy that nothing
+/// supplied. Each examined step represents n steps. Δ is the change of an EnergyBudget::Totals over an
+/// examined step; sums run over the examined steps, maxima over time. K₀ and E₀ are the kinetic and the
+/// stored energy at the start, E the stored energy, and k counts holds, winches and forces without an energy:
 ///   made = −Σ n Δnumerical                                                                (1)
 ///   given = K₀ + max(E₀ − E) + Σ_k max(Σ n Δgiven_k)                                       (2)
 ///   lost: made > ½ given + W, ten times in a row, or at the last examination                (3)
-/// W [J] is a negligible work. Ten times are required because a stable scheme may overshoot in its first
-/// steps if they are far longer than the periods of the fast modes; the scheme takes that energy back in the
-/// following steps. In gear-library/scenes/dynamics, with all schemes and accuracies, made/given is at most
-/// 0.15 in motions whose path is accurate to 2 %. Motions in which it reaches ½ go on to 0.8 to 3·10⁸, with
-/// path errors of 4 % of the extent or more.
+/// W [J] is a negligible work. A single violation is not enough, because a stable scheme may overshoot in its
+/// first steps if they are far longer than the periods of the fast modes; the scheme takes that energy back
+/// in the following steps. In gear-library/scenes/dynamics, with all schemes and accuracies, made/given is at
+/// most 0.15 in motions whose path is accurate to 2 %. Motions in which it reaches ½ go on to 0.8 to 3·10⁸,
+/// with path errors of 4 % of the extent or more.
 class EnergyJudge {
  public:
   void begin(const EnergyBudget::Totals& at, double negligible) {
@@ -56,7 +56,7 @@ class EnergyJudge {
     return text;
   }
 
-  /// The sums and maxima of (1) to (3), from which a resumed march continues the judgement.
+  /// The sums and maxima of (1) to (3), which a resumed march needs to continue.
   const std::vector<double>& sums() const { return sums_; }
   void set_sums(std::span<const double> sums) { sums_.assign(sums.begin(), sums.end()); }
 
@@ -64,7 +64,7 @@ class EnergyJudge {
   bool makes_too_much() const { return !(made() <= 0.5 * given() + negligible()); }
 
   enum : std::size_t { kMade, kKinetic, kStored, kReleased, kNegligible, kInARow, kGiven };
-  std::vector<double> sums_;  // from index kGiven on, the sum and its maximum for each k of (2)
+  std::vector<double> sums_;  // from index kGiven on: for each k of (2), the sum and its maximum
 };
 
 }  // namespace netloft

@@ -8,7 +8,7 @@ namespace netloft {
 
 namespace {
 
-// One in this many short steps is examined, if no energy budget is kept.
+// If no energy budget is kept and steps are short, one of this many steps is examined.
 constexpr int kStepsPerExamination = 16;
 
 }  // namespace
@@ -54,7 +54,7 @@ bool EnergyWatch::examine(TransientProblem& problem, const MarchState& from, con
 }
 
 /// The allowed energy error of a step, the right side of (1) in energy_watch.hpp. In a march for comparison,
-/// it is scaled with the step length.
+/// it is proportional to the step length.
 double EnergyWatch::tolerated() const { return settings_.accuracy * settings_.pace * tried_.scale(); }
 
 bool EnergyWatch::restate(const MarchState& state) {
@@ -62,7 +62,7 @@ bool EnergyWatch::restate(const MarchState& state) {
 }
 
 void EnergyWatch::keep_in(MarchState& state, bool refreshes) {
-  if (settings_.budget && refreshes) budget_.refresh();  // without a memory, the forces have not changed
+  if (settings_.budget && refreshes) budget_.refresh();  // without a memory, forces are the same as before
   if (settings_.budget) state.budget = budget_.sums();
   state.judged = judge_.sums();
 }

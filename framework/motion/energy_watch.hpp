@@ -8,14 +8,14 @@
 namespace netloft {
 
 /// Examines the energy of the steps of a march (an integration in time): of all steps if an energy budget is
-/// kept, otherwise of some. A scheme sees a snap of a rope only through the forces at the points that it
-/// evaluates. Therefore each examined step must also satisfy, with the energies `given` and W of
-/// energy_judge.hpp at its end,
+/// kept, otherwise of some. A scheme can miss the snap of a rope between two points at which it evaluates
+/// forces. Therefore the energy of an examined step must satisfy, with `given` and W of energy_judge.hpp at
+/// its end,
 ///   |Δnumerical| ≤ accuracy (given + W)                                                     (1)
-/// Δnumerical is the energy that the scheme takes in the step. The energy that a snap takes or creates is
-/// proportional to the step length h, whereas the error of a step is proportional to h³. When the error was
-/// the only control, a chain was integrated in steps of 1e-7 s at an accuracy of 5e-5, and failed
-/// nevertheless. Without a budget, every 16th step is examined if stability makes steps short.
+/// Δnumerical is the energy that the scheme takes out of the motion in the step. The energy that a snap takes
+/// or creates is proportional to the step length h, whereas the error of a step is proportional to h³. When
+/// only the error was controlled, a chain needed steps of 1e-7 s at an accuracy of 5e-5, and still failed. If
+/// no budget is kept and stability requires short steps, every 16th step is examined.
 class EnergyWatch {
  public:
   /// `makes_short_steps`: whether stability requires short steps.
@@ -24,18 +24,18 @@ class EnergyWatch {
   /// Begins at a state; `negligible` is W of (1) [J]. Returns false if an element failed, see
   /// Assembler::fault.
   bool begin(const MarchState& from, double negligible);
-  /// Whether the energy of the next step will be examined.
+  /// Whether the energy of the step after this state will be examined.
   bool watches_step_after(const MarchState& state) const;
-  /// Examines an attempted step, from one state to another at time t. `error` is the error of the step
-  /// divided by its tolerance. If the ratio of the left to the right side of (1) is larger, it replaces
-  /// `error`. Returns false if an element failed, see Assembler::fault.
+  /// Examines an attempted step, from one state to another at time t. On input, `error` is the error of the
+  /// step divided by its tolerance. On output, it is at least the left side of (1) divided by the right side.
+  /// Returns false if an element failed, see Assembler::fault.
   bool examine(TransientProblem& problem, const MarchState& from, const MarchState& to, double t,
                double& error);
   void accept() { judge_ = tried_; }
   /// Replaces the rotation vectors of bodies in the last state by shorter vectors of the same rotations.
   bool restate(const MarchState& state);
-  /// Stores, in the state of the march, the sums from which a resumed march continues. `refreshes`: elements
-  /// have stored the state in their memory, so that their forces are evaluated again.
+  /// Stores the sums that a resumed march needs in the state of the march. `refreshes`: elements have stored
+  /// the state in their memory, so that their forces have to be evaluated again.
   void keep_in(MarchState& state, bool refreshes);
 
   /// Whether the motion contains energy that nothing supplied.
@@ -53,7 +53,7 @@ class EnergyWatch {
   const MarchSettings& settings_;
   bool makes_short_steps_;
   EnergyBudget budget_;
-  EnergyJudge judge_, tried_;  // tried_: judge_ after the attempted step
+  EnergyJudge judge_, tried_;  // judge_ as it will be if the attempted step is accepted: tried_
 };
 
 }  // namespace netloft

@@ -17,7 +17,7 @@ struct Pencil {
 
 /// The mode of the highest frequency, of length 1 in the inner product of M.
 struct HighestMode {
-  double omega = 0;  // angular frequency [rad/s], an upper bound except for rounding
+  double omega = 0;  // angular frequency [rad/s], never too low except for rounding
   std::vector<double> shape;
 };
 

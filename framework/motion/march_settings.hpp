@@ -19,7 +19,7 @@ struct MarchSettings {
   bool budget = true;          // keep the energy budget
   bool judged = true;          // fail if the motion has energy that nothing supplied
   bool check = false;          // compare with a second integration, with longer or shorter steps
-  bool disturb = false;        // compare with another integration, from a slightly displaced start
+  bool disturb = false;        // this is another integration for comparison: displace the start slightly
   double pace = 1;             // factor on all step lengths
   double mass_damping = 0;     // c of the force −c M v [1/s]
 

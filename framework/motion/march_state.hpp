@@ -13,7 +13,7 @@ namespace netloft {
 
 class Assembler;
 
-/// Imbalance of forces at rest at the beginning of a march.
+/// How well forces balance at rest at the beginning of a march.
 struct StartBalance {
   double residual = 0, load = 0;  // largest nodal residual, largest nodal load [N]
   std::string node;               // node with the largest residual; empty: the march has not begun
@@ -39,11 +39,11 @@ struct MarchState {
   double shortest = 0, longest = 0;  // shortest and longest accepted step [s]
   Statistics statistics;             // cost so far, without the march for comparison
   StartBalance start;
-  std::string remark;   // about the start, to be appended to the reason; empty: none
+  std::string remark;   // remark about the start, appended to the reason why the march ended; empty: none
   double t_before = 0;  // beginning of the last step, needed to compare marches between the ends of steps [s]
   std::vector<double> u_before, v_before;  // state at t_before [m], [m/s]
-  std::vector<MarchState> other;           // at most one: state of the march for comparison
-  std::string why_lost;                    // why the march for comparison failed; empty: it did not
+  std::vector<MarchState> other;           // the march for comparison: its state, or empty
+  std::string why_lost;                    // why the march for comparison failed; empty: it did not fail
   // Largest error so far by (1) of achieved_accuracy.hpp [m], and its time [s]; NaN: not compared yet.
   double path_error = std::numeric_limits<double>::quiet_NaN(), path_at = 0;
   std::uint64_t path_of = 0;  // node of path_error

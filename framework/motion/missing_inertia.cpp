@@ -11,14 +11,14 @@ namespace netloft {
 
 namespace {
 
-// An inertia below this fraction of the largest counts as rounding error: all masses of the body then lie on
-// the axis of this inertia.
+// If an inertia is below this fraction of the largest inertia, it counts as rounding error: all masses of the
+// body lie on its axis.
 constexpr double kLeastInertia = 1e-12;
 
 using Block3 = Eigen::Matrix3d;
 
-/// Inertia of a body about its centre of mass, in the units of the arm [kg], from blocks M of the mass
-/// matrix:
+/// Inertia of a body about its centre of mass, divided by the square of the body's arm [kg], from blocks M of
+/// the mass matrix:
 ///   J = M_qq − M_Xqᵀ M_XX⁻¹ M_Xq,  X its origin, q its rotation times its arm                      (1)
 class OwnMasses {
  public:

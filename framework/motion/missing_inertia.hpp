@@ -10,15 +10,15 @@ namespace netloft {
 struct MissingInertia {
   std::uint32_t node = 0;                // number of the node; for a body, its origin
   std::optional<std::size_t> body = {};  // index of the body in the scene
-  bool is_of_turning = false;  // whether a body has no inertia about some axis through its centre of mass
+  bool is_of_turning = false;  // whether the body has no inertia about some axis through its centre of mass
   bool is_on(const Part& part) const;  // whether an element of the part has this node
 };
 
 /// Finds bodies whose own elements give them no mass, or no inertia about some axis about which they can
-/// turn. (The elements joined to the points of a body add so little inertia that such a body would turn at
-/// any speed.) Massless nodes are found only if `with_nodes`: explicit schemes divide by their masses,
-/// whereas implicit schemes assume them to be in equilibrium. Masses are those at the start. Returns an empty
-/// list if they cannot be evaluated there, see Assembler::fault.
+/// turn. (Other elements, joined to points of the body, are not counted: they add so little inertia that
+/// nothing would limit the speed at which the body turns.) Massless nodes are found only if `with_nodes`:
+/// explicit schemes divide by their masses, whereas implicit schemes assume them to be in equilibrium. Masses
+/// are those at the start. Returns an empty list if they cannot be evaluated there, see Assembler::fault.
 std::vector<MissingInertia> find_missing_inertia(const Scene& scene, const ScenePlan& plan,
                                                  Assembler& assembler, bool with_nodes);
 

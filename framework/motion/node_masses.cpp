@@ -22,7 +22,7 @@ NodeMasses::NodeMasses(Assembler& assembler) : assembler_(assembler) {
   blocks_.resize(assembler.mass_numbers());
 }
 
-/// The entry of a node, which is created if necessary. Both nodes of a body share one entry.
+/// Returns the entry of a node; creates it if necessary. Both nodes of a body share one entry.
 NodeMasses::Node& NodeMasses::node_of(std::uint32_t node, std::size_t& place) {
   const auto found = of_bodies_.find(node);
   if (found == of_bodies_.end()) {

@@ -15,8 +15,8 @@ class NodeMasses {
 
   /// Evaluates the masses at positions x over all dofs. Returns false if that fails, see Assembler::fault.
   bool update(std::span<const double> x);
-  /// Computes a = −M⁻¹ r over the unknowns. If some node has no mass, its acceleration is set to zero if
-  /// `massless_rest`; otherwise the result is false.
+  /// Computes a = −M⁻¹ r over the unknowns. If `massless_rest`, nodes without mass get no acceleration;
+  /// otherwise the result is false if there is such a node.
   bool accelerate(std::span<const double> residual, std::span<double> a, bool massless_rest);
   /// y = M⁻¹ x over the unknowns.
   void divide(std::span<const double> x, std::span<double> y) const;
@@ -48,7 +48,7 @@ class NodeMasses {
 
   Assembler& assembler_;
   std::vector<Node> nodes_;
-  // Node -> body, and index in Node::nodes.
+  // For each node of a body: the body, and the index of the node in Node::nodes.
   std::map<std::uint32_t, std::pair<std::size_t, std::size_t>> of_bodies_;
   std::vector<std::size_t> node_of_body_;  // index in nodes_ of each body
   std::vector<double> blocks_;

@@ -14,16 +14,17 @@ namespace netloft {
 
 namespace {
 
-// The tolerance of the search for the start may leave unbalanced forces up to this fraction of the load.
+// Forces up to this fraction of the load may be unbalanced at the start, because of the tolerance with which
+// the start was found.
 constexpr double kDrives = 1e-3;
 // Distances below this many rounding errors of the largest displacement count as rounding errors.
 constexpr double kRoundings = 1e4;
-// Shortest step, relative to that of the march. The shipped schemes need at most 1e-3 for the motions of the
-// library, whose stiffest modes are far faster than the march's steps.
+// Shortest step, relative to that of the march. For the motions of the library, whose stiffest modes are far
+// faster than the steps of a march, the shipped schemes pass with 1e-3 or longer steps.
 constexpr double kShortest = 1e-7;
-// Largest fraction of the forces, and of the way, by which (1) may be missed. In the motions of the library,
-// the shipped schemes leave less of the forces at 0.1 to 0.001 of their steps, and miss the way by at most
-// 0.36 even at 0.1. A scheme that does nothing misses both by 1 at any step.
+// Largest relative error in either half of (1). In the motions of the library, the shipped schemes leave a
+// smaller fraction of the forces at 0.1 to 0.001 of their steps, and their displacements differ by at most
+// 0.36 even at 0.1. A scheme that does nothing has an error of 1 in both halves, with any step.
 constexpr double kMissed = 0.5;
 
 }  // namespace

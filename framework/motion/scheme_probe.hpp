@@ -18,16 +18,16 @@ namespace netloft {
 /// for h → 0, even if some modes are faster than any step of the march. Steps are shortened tenfold until the
 /// remaining forces are at most half of F(t, u, v, 0) and the second half of (1) holds within a half. If no
 /// step achieves this, the scheme does not integrate this motion; it may do nothing at all. A half is far
-/// above the effects of rounding and of the solver's tolerance, and far below the effect of doing nothing.
-/// Unknowns without mass are left out.
+/// above the errors by rounding and by the solver's tolerance, and far below the error of a scheme that does
+/// nothing. Unknowns without mass are left out.
 class SchemeProbe {
  public:
   SchemeProbe(Assembler& assembler, double mass_damping, SolverChoice solver, const MakeFactorisation& make,
               const Limits& limits);
 
   /// Tests the scheme at a state, beginning with steps of a tenth of its h. Returns a sentence about the
-  /// fault. It is empty if (1) holds, if no step could be taken, or if forces are so close to balance and
-  /// velocities so close to rest that (1) says nothing.
+  /// fault. The sentence is empty if (1) holds, if no step could be taken, or if (1) says nothing because
+  /// forces nearly balance and nothing moves.
   std::string fault_of(const StepScheme& scheme, const MarchState& at);
 
  private:

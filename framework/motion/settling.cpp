@@ -35,12 +35,12 @@ int settle(const void* parameters, netloft_problem* problem) {
   };
   const MarchState from = state_at_rest(s.scene.assembler, {problem->u, problem->unknowns});
   MarchSettings how = s.march;
-  how.judged = false;  // only the equilibrium matters, not the motion that led to it
+  how.judged = false;  // the motion may be wrong, because only the equilibrium matters
   const MarchResult r = march(s.scene, s.methods, s.limits, how, watch, &from);
   std::copy(r.u.begin(), r.u.end(), problem->u);
   if (r.status == MarchStatus::stopped) return NETLOFT_STOPPED;
   if (r.status == MarchStatus::interrupted) {
-    report_residual(*problem, r.u, residual);  // the host notices and reports the interrupt in this call
+    report_residual(*problem, r.u, residual);  // in this call, the host notices and reports the interrupt
     return NETLOFT_STOPPED;
   }
   const bool moved_on = r.status == MarchStatus::finished || r.status == MarchStatus::out_of_time ||

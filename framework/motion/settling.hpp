@@ -12,7 +12,7 @@ struct Settling {
   Limits limits;  // limits for the solution of one step
   MarchSettings march;
   std::int64_t steps_per_check = 20;  // steps between evaluations of the static residual
-  /// Describes this object as a solver whose parameters are `this`.
+  /// Describes this object as a solver; its parameters are a pointer to this object.
   SolverType as_solver() const;
 };
 

@@ -9,7 +9,7 @@ namespace netloft {
 
 /// Chooses the lengths of the steps of a march (an integration in time) from the error of each step and, if
 /// the scheme is stable for short steps only, from its stability. A step is rejected if its estimated error
-/// exceeds the allowed error, and the next length is
+/// exceeds the allowed error. The length of the next attempt is
 ///   h ← h · 0.9 (allowed/error)^(1/order), within [1/5, 2] h                               (1)
 /// If the error of a step is O(h^p), the sum of errors over a path is proportional to the power (p − 1)/p of
 /// the error allowed for a step. Accuracies below a = 1e-2 therefore need
@@ -39,7 +39,7 @@ class StepControl {
   /// Determines the longest stable step from two matrices: the linear stiffness, in which all members are
   /// taut, and the tangent, which includes stiffnesses that the linear stiffness does not bound.
   void find_limit(TransientProblem& problem, MarchState& state);
-  /// Updates the longest stable step by the current tangent, every kStepsPerTangent steps.
+  /// Every kStepsPerTangent steps, updates the longest stable step from the current tangent.
   void follow_tangent(TransientProblem& problem, MarchState& state);
   double limit() const { return limit_; }
   /// Longest stable step with all members taut [s]; zero: any step is stable.

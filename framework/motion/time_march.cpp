@@ -116,7 +116,7 @@ class March {
   }
 
   /// Whether the scheme follows the equation of motion from the current state (scheme_probe.hpp); if not, the
-  /// march fails. The test is left out in a search for an equilibrium, in which only the end of the march
+  /// march fails. There is no test if the march only searches for an equilibrium, because then only its end
   /// matters.
   bool follows() {
     if (!settings_.judged) return true;
@@ -127,7 +127,7 @@ class March {
 
   bool has_companion() const { return settings_.check || settings_.disturb; }
 
-  /// Creates the march for comparison, at the start or at its last stored state. Does not make a step.
+  /// Creates the march for comparison, at the start or at its last stored state, without making a step.
   bool begin_other() {
     if (!has_companion()) return true;
     other_settings_ = settings_.check ? settings_of_comparison(settings_, scheme_.has_limit())
@@ -155,7 +155,8 @@ class March {
     state_.other.clear();
   }
 
-  /// Compares both marches at an output, as in achieved_accuracy.hpp. Returns false if interrupted.
+  /// Compares this march and the march for comparison at an output (achieved_accuracy.hpp). Returns false if
+  /// interrupted.
   bool compare_paths(double t) {
     if (!other_ || !other_->times_.is_output(t)) return true;
     const std::vector<double> own = assembler_.memory();
@@ -213,7 +214,7 @@ class March {
     work.total_cpu_seconds = earlier_.total_cpu_seconds + cpu_seconds() - cpu_begun_;
   }
 
-  /// Tries steps until one is accepted.
+  /// Attempts steps until one is accepted.
   bool make_step() {
     for (;;) {
       const double corner = times_.next_corner(state_.t), rest = corner - state_.t;
@@ -226,7 +227,7 @@ class March {
           !energy_.examine(problem_, state_, next_, end, error))
         return fail_at_fault();
       if (status == NETLOFT_OK && error <= 1) return accept(end, h, error);
-      // A step can also fail because a limit of the whole march was reached.
+      // The step may have failed because a limit of the whole march was reached.
       if (status != NETLOFT_OK && has_ended()) return false;
       if (status < 0) return fail_in_step();
       ++state_.rejected;
@@ -238,10 +239,11 @@ class March {
     }
   }
 
-  /// Tries a step. Repeats it until the speeds of winches that hold a tension agree with their tensions.
+  /// Attempts a step. If some winches hold a tension, repeats the step until their speeds fit their tensions.
   int try_step(double h) {
     if (winches_.empty()) return try_once(h);
-    // The linear stiffness depends on rope lengths. It is evaluated again, as it is in a resumed march.
+    // The linear stiffness depends on rope lengths. It is evaluated again here, because a resumed march
+    // evaluates it here, too.
     problem_.algebra().forget_metric();
     for (winches_.begin(state_.t, h);;) {
       const int status = try_once(h);
@@ -271,7 +273,8 @@ class March {
     const int status = scheme_.step(m);
     if (status != NETLOFT_OK) return status;
     for (std::size_t i = 0; i < error_.size(); ++i)
-      // An unknown that the elements of a part share is not a length, and has no history.
+      // An unknown that the elements of a part share is not a length and does not depend on the past, so it
+      // has no error.
       if (is_shared(assembler_, i)) error_[i] = 0;
     double sum = 0;
     for (std::size_t i = 0; i < next_.u.size(); ++i) sum += next_.u[i] - next_.u[i] + next_.v[i] - next_.v[i];
@@ -304,8 +307,8 @@ class March {
     return true;
   }
 
-  /// Computes the mean forces of the last step for outputs within it. Elements must not have stored the end
-  /// of the step in their memory yet. Returns false if an element failed.
+  /// Computes the mean forces of the last step for outputs within it. Must be called before elements store
+  /// the end of the step in their memory. Returns false if an element failed.
   bool find_mean_forces() {
     has_means_ = problem_.is_between() && times_.output(state_.outputs) <= state_.t;
     return !has_means_ || problem_.find_step_forces(state_.t, state_.u, state_.v, state_.a, mean_forces_);
@@ -324,7 +327,7 @@ class March {
     }
   }
 
-  /// Stores the state. From here on, the rest of the march depends on its past through the stored state only.
+  /// Stores the state. The rest of the march depends on nothing else of its past.
   void keep() {
     problem_.algebra().forget_factor();
     state_.memory = assembler_.memory();
@@ -350,7 +353,7 @@ class March {
     report(t, nullptr);
   }
 
-  /// Evaluates the forces at the end of the last step, once for all outputs within the step.
+  /// Evaluates the forces at the end of the last step, only once even if several outputs are within the step.
   void find_forces() {
     if (forces_after_ == state_.steps) return;
     forces_after_ = state_.steps;
@@ -433,7 +436,7 @@ class March {
   TransientProblem problem_;
   StepControl control_;
   EnergyWatch energy_;
-  const Statistics earlier_;  // cost before this march was interrupted, if it was
+  const Statistics earlier_;  // cost before an interruption, if this march was resumed
   // state_ is the end of the last accepted step, next_ the end of the attempted step. Accepting a step swaps
   // the two, so that next_ is then the beginning of the accepted step.
   MarchState state_, next_;
@@ -447,8 +450,7 @@ class March {
   MarchResult result_;
   MarchSettings other_settings_;
   MarchWatch nobody_;
-  MarchState
-      other_start_;  // start of the march for comparison, if this march does not continue an earlier one
+  MarchState other_start_;  // start of the march for comparison, unless this march was resumed
   std::unique_ptr<March> other_;
 };
 

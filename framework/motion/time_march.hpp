@@ -21,11 +21,10 @@ struct StepMethods {
   SolverChoice solver;  // solver of implicit steps
 };
 
-/// Forces at the end of a step. They are not evaluated at outputs between the ends of a step: interpolated
-/// positions are smooth but not in balance, and a stiff twine turns their smallest error into a force. If a
-/// scheme uses mean forces, the reactions are means over the step, too: these explain the change of momentum
-/// in the step, whereas forces at its end oscillate from step to step with modes that are too fast for the
-/// scheme.
+/// Forces at the end of a step. They are not evaluated between the ends of a step, because stiff twines would
+/// turn the smallest error of interpolated positions into a force. If a scheme uses mean forces, the
+/// reactions are means over the step, too. Means agree with the change of momentum in the step, whereas
+/// forces at its end oscillate from step to step with modes that are too fast for the scheme.
 struct ForceMoment {
   double t;  // [s]
   // Over all dofs: positions [m]; residual, with reactions of held dofs [N].
@@ -39,9 +38,11 @@ struct Snapshot {
   std::span<const double> u;
   std::span<const double> x, v;  // over all dofs: positions [m], velocities [m/s]
   ForceMoment forces;            // forces at t if a step ends at t, else at the end of the step around t
-  // Energies at the end of the last step if outputs are dense; nullptr if no budget is kept.
+  // The energy budget at t, or at the end of the last step if outputs are dense; nullptr if no budget is
+  // kept.
   const EnergyBudget* budget;
-  const MarchState* state;  // state from which a march can continue; nullptr: use an earlier snapshot
+  const MarchState* state;  // state from which a march can be resumed; nullptr: resume from an earlier
+                            // snapshot
   std::span<const WinchMoment> winches = {};
   const EnergyJudge* judge = nullptr;  // judges all steps so far; nullptr if no budget is kept
 };
@@ -75,9 +76,10 @@ struct MarchWatch {
 /// Integrates in time from `from`, or from the start at rest if `from` is nullptr. Steps end at outputs
 /// (unless outputs are dense) and at times at which the rate of a guide, a current or a table in time jumps.
 /// step_control.hpp determines step lengths, energy_watch.hpp examines the energy of steps. With `check`, the
-/// host integrates a second time to estimate the error of the path by (1) of achieved_accuracy.hpp; this adds
-/// half of the cost if the second march has steps twice as long. A march with energy that nothing supplied
-/// (energy_judge.hpp) fails. `limits.work` bounds the work of all steps together, if `limits.model` is given.
+/// host integrates a second time to estimate the error of the path by (1) of achieved_accuracy.hpp; if the
+/// second march has steps twice as long, this costs half as much again. A march with energy that nothing
+/// supplied (energy_judge.hpp) fails. `limits.work` bounds the work of all steps together, if `limits.model`
+/// is given.
 MarchResult march(const AssembledScene& scene, const StepMethods& methods, const Limits& limits,
                   const MarchSettings& settings, const MarchWatch& watch, const MarchState* from = nullptr);
 

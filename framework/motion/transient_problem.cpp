@@ -28,9 +28,10 @@ const char* trouble_of(netloft_outcome outcome, Stop stop) {
 }
 
 /// Extrapolates an unknown that the elements of a part share from the middle of a step, where its equation
-/// holds, to the end of the step. Twice the middle minus the beginning would oscillate from step to step
-/// without decay. With a quarter of the step beyond the middle, errors decay by a factor of √½ per step (|λ|
-/// of λ² + λ/2 + 1/2 = 0). A value that changes at a constant rate then lags a quarter of a step behind.
+/// holds, to the end of the step. Linear extrapolation (twice the middle minus the beginning) would oscillate
+/// from step to step without decay. If it ends a quarter of the step after the middle, errors decay by a
+/// factor of √½ per step (|λ| of λ² + λ/2 + 1/2 = 0), and a value that changes at a constant rate lags a
+/// quarter of a step behind.
 double end_of_shared(double middle, double h, double v) { return middle + 0.25 * h * v; }
 
 }  // namespace
@@ -78,7 +79,7 @@ int TransientProblem::evaluate() {
   if (!assembler_.evaluate(state_.x(), {.residual = residual_.data(), .motion = state_.motion()}))
     return assembler_.fault().status;
   double sum = 0;
-  for (const double r : residual_) sum += r - r;  // zero unless a number is infinite or NaN
+  for (const double r : residual_) sum += r - r;  // the sum is zero unless a number is infinite or NaN
   return sum == 0 ? NETLOFT_OK : NETLOFT_OUTSIDE_DOMAIN;
 }
 

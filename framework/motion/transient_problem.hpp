@@ -35,20 +35,21 @@ class TransientProblem {
   /// Masses of the unknowns at the last state for which accelerations were found, without their coupling
   /// [kg].
   std::vector<double> masses() const { return masses_.diagonal(); }
-  /// Balance of the forces in the last evaluation; after `start`, of the forces without inertia.
+  /// Balance of the forces in the last evaluation. After `start`, it is the balance without inertia.
   Balance balance() { return algebra_.balance(state_.x(), residual_); }
   /// Highest angular frequency of the linear stiffness and the masses at the start [rad/s].
   double highest_frequency();
   /// Highest angular frequency of the tangent at rest at displacements u [rad/s]; other states may have
   /// higher ones. The iteration starts from the mode of highest_frequency(), so that the result does not
-  /// depend on the past of the march. highest_frequency() must have been called. Zero if an element failed.
+  /// depend on the past of the march; highest_frequency() must have been called before. Zero if an element
+  /// failed.
   double highest_frequency_at(std::span<const double> u);
   /// The reason for which explicit schemes cannot be used; empty if they can.
   std::string obstacle_to_explicit(const Scene& scene);
-  /// Raises the load to which tolerances are relative to the largest load in `residual`, over all dofs, if
-  /// that is larger [N].
+  /// Tolerances are relative to a load [N]. Raises this load to the largest load in `residual` (over all
+  /// dofs), unless it is larger already.
   void note_loads(std::span<const double> residual);
-  /// The midpoint of the last step, which ends at displacements u and is not yet accepted. nullptr if the
+  /// The midpoint of the last step, which ends at displacements u and is not accepted yet; nullptr if the
   /// step did not use mean forces, or if an element failed (Assembler::fault).
   const MeanStep* mean_step(std::span<const double> u);
   bool is_between() const { return is_between_; }

@@ -9,16 +9,18 @@ namespace netloft {
 
 namespace {
 
-// Largest error of a speed, relative to the largest speed: a thousandth of the band.
+// Largest error of a speed, relative to the largest speed; it corresponds to a tension of a thousandth of the
+// band.
 constexpr double kSettled = 1e-3;
-// Limit of attempts per step that do not measure the matrix S of (3) in winches.hpp. After half of them, S is
-// measured again.
+// Limit of attempts per step. After half of them, the matrix S of (3) in winches.hpp is measured again, in
+// attempts that do not count.
 constexpr int kMostTries = 12;
 constexpr double kMeasured = 0.02;  // change of speed to measure S, relative to the largest speed
-// Sweeps over the winches to solve (2) and (3) of winches.hpp; the gear couples winches only weakly.
+// Number of sweeps over the winches to solve (2) and (3) of winches.hpp. A few suffice, because the gear
+// couples winches only weakly.
 constexpr int kSweeps = 30;
 constexpr double kLeastLeft =
-    0.05;  // least remaining fraction of a rope; with less, its bars are too stiff for any step
+    0.05;  // least fraction of a rope that remains; bars of a shorter rest would be too stiff for any step
 
 double straight_between(const std::vector<std::array<double, 2>>& rows, double t) {
   const auto next = std::upper_bound(rows.begin(), rows.end(), t,
@@ -84,7 +86,7 @@ void Winches::add_corners(std::vector<double>& times) const {
     }
 }
 
-/// Speed of a winch that follows speeds or lengths, in a step without a corner of its table.
+/// Speed of a winch that follows speeds or lengths, in a step during which its table has no corner.
 double Winches::given_speed(std::size_t k) const {
   const WinchStage& stage = *ropes_[k].stage;
   if (stage.follows == Follows::speed) {
@@ -121,10 +123,10 @@ double Winches::speed_at(std::size_t k, double tension) const {
   return stage.max_speed * std::copysign(std::min(beyond / stage.band, 1.0), e);
 }
 
-/// The error that the tension in an attempt may have [N].
+/// Possible error of the tension in an attempt [N].
 double Winches::doubt(std::size_t k) const { return tolerance_ * std::max(ropes_[k].wanted, ropes_[k].T); }
 
-/// Whether the speeds satisfy (2) of winches.hpp, as accurately as the forces of a step are known.
+/// Whether the speeds satisfy (2) of winches.hpp, up to the accuracy of the forces of a step.
 bool Winches::is_settled() const {
   for (const std::size_t k : holding_) {
     const WinchStage& stage = *ropes_[k].stage;

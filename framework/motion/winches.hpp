@@ -56,7 +56,7 @@ class Winches {
   std::string obstacle() const;
   std::vector<WinchMoment> moments(double t) const;
 
-  /// The state from which later steps follow. Empty: the start, at which factors are one.
+  /// The state that later steps depend on. It is empty at the start, where all factors are one.
   std::vector<double> state() const;
   void set_state(std::span<const double> state);
   /// The state at rest with these factors σ on rope lengths, one per winch.

@@ -39,8 +39,8 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace detail
 
-/// The candidate that `word` most likely means: at most a third of its letters are wrong (one in a short
-/// word). Returns nullopt if no candidate is similar, and the first one if several are equally similar.
+/// The candidate that `word` most likely means: at most a third of its letters may be wrong, or one in a
+/// short word. Returns nullopt if no candidate is similar, and the first one if several are equally similar.
 inline std::optional<std::string> nearest(std::string_view word, std::span<const std::string> candidates) {
   constexpr std::size_t kLongestWord = 64;  // bounds the work for meaningless input
   if (word.empty() || word.size() > kLongestWord) return std::nullopt;

@@ -86,8 +86,8 @@ std::size_t column_count(const netloft_parameter& p) {
   return n;
 }
 
-/// Whether the row `next` of a table may follow `row`: increasing in the first column, or, on a grid,
-/// increasing in the second column for equal values of the first.
+/// Whether the row `next` of a table may follow `row`: the first column must increase; on a grid, it may also
+/// stay the same while the second column increases.
 bool may_follow(const netloft_parameter& p, const std::vector<double>& row, const std::vector<double>& next) {
   if (next[0] > row[0]) return true;
   return p.arguments == 2 && next[0] == row[0] && next[1] > row[1];
@@ -219,7 +219,7 @@ std::vector<ByteRange> undeclared(std::span<const netloft_parameter> table, std:
 
 ParameterBlock::ParameterBlock(std::span<const netloft_parameter> table, std::size_t bytes,
                                const Values& values, std::vector<std::string>& faults)
-    // all bytes are zero; new[] of bytes is aligned for any fundamental type
+    // std::make_unique sets all bytes to zero, and new[] of bytes is aligned for any fundamental type
     : bytes_(std::make_unique<std::byte[]>(bytes)) {
   for (const auto& p : table) {
     const auto given = values.find(p.name);

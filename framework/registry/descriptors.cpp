@@ -41,7 +41,7 @@ std::uint32_t check_size(const T* from) {
   return size;
 }
 
-/// Reads consecutive rows, all of the size of the first.
+/// Reads consecutive rows, which all have the size of the first row.
 template <class T>
 std::vector<T> read_rows(const T* from, std::uint32_t count) {
   if (!from || count == 0 || count > kMostRows) return read_array(from, count);
@@ -132,7 +132,8 @@ void check_parameter(const netloft_parameter& p, std::uint32_t struct_bytes, con
 
 void check_parameters(const std::vector<netloft_parameter>& rows, std::uint32_t struct_bytes,
                       const std::string& owner, Faults& faults) {
-  constexpr std::uint32_t kMostBytes = 1u << 20;  // far more than anybody declares, and far less than memory
+  constexpr std::uint32_t kMostBytes = 1u << 20;  // a limit far above any plausible size, and far below the
+                                                  // memory of a computer
   faults.require(struct_bytes <= kMostBytes, owner + ": its parameters take " + std::to_string(struct_bytes) +
                                                  " bytes, more than " + std::to_string(kMostBytes));
   check_names(rows, owner, "parameter", faults);
@@ -155,8 +156,7 @@ std::string numbers_in(std::uint32_t width, const std::string& unit) {
   return std::to_string(width) + (unit == "1" ? " pure " + noun : " " + noun + " in " + unit);
 }
 
-/// Checks that data with a name of element_data.hpp, which the host provides, have the width and unit given
-/// there.
+/// Checks the width and unit of data that the host provides, which are those with a name in element_data.hpp.
 void check_data(const ElementType& e, const std::string& owner, Faults& faults) {
   check_names(e.data, owner, "datum", faults);
   for (const auto& d : e.data)
@@ -197,7 +197,7 @@ void check_terms(const ElementType& e, const std::string& owner, Faults& faults)
   }
 }
 
-// One node has three coordinates, and the widest stencil has four nodes.
+// Shared unknowns are coordinates of one node, which has three. The widest stencil has four nodes.
 constexpr std::size_t kMostGlobals = 3;
 constexpr int kMostDofs = 12;
 
@@ -221,7 +221,7 @@ void check_flow(const ElementType& e, const std::string& owner, Faults& faults) 
                      "water");
 }
 
-/// Whether elements on a stencil may have members: netloft_member has coefficients for three nodes.
+/// Whether elements on a stencil may have members. netloft_member has coefficients for at most three nodes.
 bool bears_along_lines(std::uint32_t stencil) {
   return stencil == NETLOFT_BAR || stencil == NETLOFT_TRIANGLE || stencil == NETLOFT_BAR_PAIR;
 }
@@ -272,8 +272,8 @@ void read_offers(ElementType& e, Faults& faults) {
   e.rides_on = read_offer<netloft_rider>(extension, NETLOFT_EXT_PAIRS, e.type, faults).rides_on;
 }
 
-/// Reads the list of inputs of an element. An input of an unknown extension keeps its place in the list, and
-/// tiles have nullptr there.
+/// Reads the list of inputs of an element. An input of an unknown extension keeps its place in the list,
+/// where tiles then have nullptr.
 void read_inputs(ElementType& e) {
   for (auto id = e.element.inputs; id && *id; ++id) e.inputs.push_back(find_extension_input(*id));
 }

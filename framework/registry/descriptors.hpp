@@ -19,7 +19,7 @@
 
 namespace netloft {
 
-/// Thrown for a plugin that must not be used; the sentence names the file and the reason.
+/// Thrown if a plugin must not be used. The message gives the file and the reason.
 struct PluginRefused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -41,8 +41,8 @@ T read_struct(const T* from) {
   return to;
 }
 
-/// Limits of a plausible table: at most kMostRows rows, each at least kLeastRow bytes long (its size and
-/// another 32-bit number).
+/// Limits of a plausible table: at most kMostRows rows, each at least kLeastRow bytes long, enough for the
+/// size of the row and one more 32-bit number.
 inline constexpr std::uint32_t kMostRows = 4096, kLeastRow = 8;
 
 /// Copies the rows of a table. Throws std::length_error if count or row length are not plausible.
@@ -79,8 +79,8 @@ struct ElementType {
   std::vector<ExtensionInput> inputs;  // inputs of tiles, in the order that the element lists
   const PluginOrigin* origin = nullptr;
 
-  /// Number of nodes of the scene that an element has. In a tile, the rotation of a body and the shared
-  /// unknowns of a part are one additional node each.
+  /// Number of nodes of the scene that an element has. In a tile, an element has one more node for the
+  /// rotation of a body, and one more for unknowns that its part shares.
   int nodes() const { return static_cast<int>(element.stencil & 0xff); }
   int dofs() const { return 3 * (nodes() + (is_on_body() ? 1 : 0) + (globals.empty() ? 0 : 1)); }
   bool is_on_body() const { return element.stencil == NETLOFT_BODY; }
@@ -133,12 +133,12 @@ struct PluginContent {
   std::vector<StrategyType> strategies;
 };
 
-/// Reads and checks the description of a plugin. `stem` is the name that the plugin must have by its file.
-/// Throws PluginRefused with one sentence per fault found.
+/// Reads and checks the description of a plugin. The plugin must have the name `stem`, that of its file.
+/// Throws PluginRefused with a sentence for each fault.
 PluginContent read_plugin(const netloft_plugin* plugin, const std::string& file, const std::string& stem);
 
-/// Names of the parameters that switch a term on: the term acts if at least one of them is not zero. Empty if
-/// the term always acts.
+/// Names of the parameters without which a term does nothing: it acts if at least one of them is not zero.
+/// Empty if the term always acts.
 std::vector<std::string> names_needed_by(const netloft_term& term);
 
 }  // namespace netloft

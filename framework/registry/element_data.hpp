@@ -45,8 +45,8 @@ inline constexpr HostDatum kArm{
 
 /// The data that elements on a stencil may declare.
 std::span<const HostDatum> data_on(std::uint32_t stencil);
-/// Returns the datum with this name, or nullptr if the host provides none; the table of a part must then give
-/// this datum.
+/// Returns the datum with this name, or nullptr if the host does not provide it, so that the scene has to
+/// give it with the part.
 const HostDatum* find_datum_on(std::uint32_t stencil, std::string_view name);
 /// Returns the datum whose name is most similar to a misspelt one, or nullptr if none is similar.
 const HostDatum* find_datum_meant(std::uint32_t stencil, std::string_view name);

@@ -29,7 +29,7 @@ struct ExtensionInputs {
   netloft_waves waves{sizeof(netloft_waves), 0, nullptr, nullptr};
   netloft_remembered memory{sizeof(netloft_remembered), 0, nullptr, nullptr};
 
-  /// Sets the input pointers of a tile in the order in which its element lists inputs. The pointers point
+  /// Sets the input pointers of a tile, in the order of the list of inputs of its element. The pointers point
   /// into this object.
   void hand_to(netloft_tile& tile, std::span<const ExtensionInput> listed) {
     if (places_.size() < listed.size()) places_.resize(listed.size());
@@ -52,7 +52,8 @@ struct CreationInputs {
   netloft_bound_laws laws{sizeof(netloft_bound_laws), 0, nullptr};
   netloft_global_starts globals{sizeof(netloft_global_starts), 0, nullptr};
 
-  /// Gives the data to a call of `create`, which must end before this object is destroyed.
+  /// Attaches the data to the argument of a call of `create`. The call must end before this object is
+  /// destroyed.
   void hand_to(netloft_create& in);
 };
 

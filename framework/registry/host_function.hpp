@@ -9,8 +9,8 @@
 namespace netloft {
 
 /// A C function that a plugin calls. It forwards to a member function of the object to which `host` points.
-/// No exception leaves it: the message goes to Host::keep_message(), if there is such a function, and
-/// NETLOFT_ERROR is returned.
+/// It catches all exceptions: it hands the message to Host::keep_message(), if there is such a function, and
+/// returns NETLOFT_ERROR.
 template <auto Member>
 struct HostFunction;
 

@@ -30,7 +30,7 @@ class FloatingPointGuard {
   const FloatingPointMode before_ = FloatingPointMode::now();
 };
 
-/// Returns the FNV-1a hash of 64 bits over words of eight bytes, padded with zeros. A hash byte by byte took
+/// Returns the FNV-1a hash of 64 bits over words of eight bytes, padded with zeros. Hashing single bytes took
 /// a twentieth of the time of a short run.
 std::string fingerprint(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -53,7 +53,7 @@ std::string fingerprint(const std::filesystem::path& file) {
 namespace {
 
 /// Files that changed the floating-point mode when they were opened. Their start-up code runs only once, so
-/// that a second attempt would not detect the change. A program has one loader and therefore one such list.
+/// that a second attempt would not notice the change. The list is global because the loader of a program is.
 class Changers {
  public:
   void add(const std::string& file) {
@@ -92,8 +92,8 @@ const netloft_plugin* described_by(void* symbol) {
   }
 }
 
-/// Returns the folders that may contain a build for this processor, the newest x86-64 level first: subfolders
-/// for levels, then the folder itself.
+/// Returns the folders that may contain a build for this processor: first the subfolders for x86-64 levels,
+/// the newest level first, then the folder itself.
 std::vector<std::filesystem::path> folders_of_builds(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> folders;
 #if defined(__x86_64__)

@@ -9,8 +9,8 @@
 namespace netloft {
 
 /// Opens a shared object, which stays open until the program ends, and returns its checked content.
-/// The floating-point environment is restored; a plugin that changes this environment is refused. Throws
-/// PluginRefused.
+/// If opening changes the floating-point environment, the environment is restored and the plugin refused.
+/// Throws PluginRefused.
 PluginContent open_library(const std::filesystem::path& file);
 
 /// Returns the build of `folder/NAME.so` for the newest x86-64 level that this processor supports, or an

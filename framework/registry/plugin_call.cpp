@@ -22,7 +22,7 @@ struct ThreadCalls {
   alignas(16) char signal_stack[kSignalStack]{};
 };
 
-// The array is initialised with zeros, so that unused pages take no memory.
+// The array is initialised with zeros; therefore, pages that are never used take no memory.
 constinit ThreadCalls all_calls[kThreads];
 
 /// Reserves an entry for this thread, and releases it when the thread ends.
@@ -48,7 +48,8 @@ class ThreadPlace {
   CallStack& calls() { return mine_ ? mine_->calls : all_calls[kThreads - 1].calls; }
 
  private:
-  /// Sets a stack for signal handlers, unless there is one: without it, a stack overflow cannot be reported.
+  /// Sets a separate stack for signal handlers, unless there is one. A handler needs it to report a stack
+  /// overflow.
   void set_signal_stack() {
     stack_t stack{};
     if (sigaltstack(nullptr, &stack) != 0 || !(stack.ss_flags & SS_DISABLE)) return;
@@ -130,7 +131,7 @@ void CallStack::blame(const char* did, const char* detail) noexcept {
 }
 
 void CallStack::blame_for_mode() noexcept {
-  std::fesetenv(FE_DFL_ENV);  // for the old registers of an x86, which have a mode of their own
+  std::fesetenv(FE_DFL_ENV);  // also resets the x87 registers, which have a mode of their own
   mode_of_host_.set();
   blame("left another floating-point mode (rounding, subnormal numbers or traps) behind in");
 }

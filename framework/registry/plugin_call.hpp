@@ -17,8 +17,8 @@ namespace netloft {
 /// A call that a thread is making. If a plugin crashes or never returns, a signal handler or another thread
 /// reads here which function of the plugin was called.
 struct CallFrame {
-  // The owner of the code that runs: the host, an element, or a method (solver, strategy …), which calls the
-  // host in turn.
+  // Whose code is running: that of the host, of an element, or of a method (solver, strategy …). Methods call
+  // the host in turn.
   enum class Kind : std::uint32_t { host, element, method };
   const char* type = nullptr;  // component, such as "rope/bar"
   const char* what = nullptr;  // function of the component: "term", "create", "solve"
@@ -43,38 +43,36 @@ class CallStack {
   std::uint64_t crossings() const { return crossings_.load(std::memory_order_acquire); }
   /// Number of calls that methods made back to the host.
   std::uint64_t callbacks() const { return callbacks_.load(std::memory_order_relaxed); }
-  /// Least depth since the last call of `watch_depth`. Calls that are nested less deep have been running
-  /// since then.
+  /// Least depth since the last call of `watch_depth`. Calls at a smaller depth have been running since then.
   std::uint32_t lowest() const { return lowest_.load(std::memory_order_relaxed); }
   void watch_depth() { lowest_.store(depth(), std::memory_order_relaxed); }
   CallFrame at(std::uint32_t i) const;
-  /// The innermost call; a frame of the kind `host` if no plugin is running.
+  /// The innermost call; its kind is `host` if no plugin is running.
   CallFrame innermost() const;
   /// The innermost call into a plugin that has not returned yet, even if the plugin is calling back into the
   /// host; nullopt if no plugin is being called.
   std::optional<CallFrame> innermost_plugin() const;
 
-  // The rest is for this thread only.
+  // The functions below are for the thread of this stack only.
   /// Notes that the innermost plugin broke a rule of the plugin interface. `did` is a phrase such as "let an
-  /// exception out of", and `detail` the text of the exception, if any. Only the first note is kept, until
-  /// take_blame().
+  /// exception out of", and `detail` the text of the exception, if any. Until take_blame(), only the first
+  /// note is kept.
   void blame(const char* did, const char* detail = nullptr) noexcept;
-  /// Whether the blamed plugin was called at a depth greater than `depth`. Calls that are nested less deep
-  /// are still under way; they ask again when they end.
+  /// Whether the blamed plugin was called at a depth greater than `depth`. Calls at a smaller depth are still
+  /// under way; they ask again when they end.
   bool has_blame(std::uint32_t depth) const { return depth_of_blame_ > depth; }
   const char* blame_text() const { return blame_; }
-  /// Returns the note as a sentence and deletes it: "evil/weight let an exception out of term pull: no
-  /// stiffness".
+  /// Returns the note as a sentence and deletes it. Example: "evil/weight let an exception out of term pull:
+  /// no stiffness".
   std::string take_blame();
-  /// Restores the floating-point mode of the host. Blames the innermost plugin if the mode was a different
-  /// one.
+  /// Restores the floating-point mode of the host. If another mode was set, blames the innermost plugin.
   void restore_mode() noexcept {
     if (FloatingPointMode::now() != mode_of_host_) [[unlikely]]
       blame_for_mode();
   }
 
-  /// Stores the present floating-point mode as that of the host. A thread does so once, before its first call
-  /// of a plugin: reading the mode before every call would take as long again as comparing it after every
+  /// Stores the present floating-point mode as that of the host. A thread does this once, before its first
+  /// call of a plugin, because reading the mode before every call would take as long as the check after every
   /// call.
   void take_mode_of_host() noexcept { mode_of_host_ = FloatingPointMode::now(); }
 
@@ -93,7 +91,7 @@ class CallStack {
 };
 
 /// The calls of this thread. The first use sets a separate stack for signal handlers. The reference remains
-/// valid; threads beyond the first 128 share one object and are not distinguished.
+/// valid. All threads beyond the first 128 share one object.
 CallStack& calls_of_this_thread() noexcept;
 /// The calls of this thread, for signal handlers, which may not allocate; nullptr if the thread made no call
 /// yet.
@@ -101,8 +99,8 @@ const CallStack* known_calls_of_this_thread() noexcept;
 /// The call stacks of all threads that have made a call, in the order of their first calls.
 std::vector<CallStack*> calls_of_all_threads();
 
-/// Stops every other thread for ever, as soon as it enters or leaves a plugin. This thread then has exclusive
-/// access to the data that the host uses during calls of plugins.
+/// Stops every other thread for ever, as soon as it enters or leaves a plugin. Afterwards, only this thread
+/// accesses the data that the host uses during calls of plugins.
 void stop_others_at_the_boundary() noexcept;
 /// Number of threads that stop_others_at_the_boundary() has stopped so far.
 int threads_at_the_boundary() noexcept;
@@ -126,9 +124,9 @@ class PluginCall {
   PluginCall& operator=(const PluginCall&) = delete;
 
   void blame_exception(const char* what) noexcept { calls_.blame("let an exception out of", what); }
-  /// Whether the plugin, which has returned, kept the rules of the plugin interface. Restores the host's
-  /// floating-point mode. Ends the program if the plugin jumped over functions of the host (longjmp), because
-  /// the state of the host is then unknown.
+  /// Whether the plugin has kept the rules of the plugin interface in the call that has ended. Restores the
+  /// host's floating-point mode. Ends the program if the plugin jumped over functions of the host (longjmp),
+  /// because the state of the host is then unknown.
   bool kept_the_rules() noexcept {
     if (calls_.depth() != depth_ + 1) [[unlikely]]
       end_after_jump();
@@ -162,11 +160,11 @@ std::invoke_result_t<Body> call_plugin(const CallFrame& frame, std::invoke_resul
 }
 
 /// Returns a sentence about the first rule that a plugin broke on this thread since the last call of this
-/// function; empty if no rule was broken. The plugin need not be the one that was called last: it may be a
-/// law that an element called. Plugins that are still running are left out.
+/// function; empty if no rule was broken. This need not be the plugin that was called last: it may be a law
+/// that an element called. Ignores plugins that are still running.
 std::string take_broken_rule();
 /// Writes the sentence of take_broken_rule() into `text`, and returns whether there was one. If there was
-/// none, only ends `text`, which a plugin wrote, with a zero.
+/// none, `text` is what a plugin wrote, and only its last byte is set to zero.
 bool take_broken_rule(std::span<char> text) noexcept;
 
 /// Records that a plugin has called the host during the lifetime of the object. The host computes in its own

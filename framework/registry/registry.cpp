@@ -22,8 +22,7 @@ std::string suggestion(const std::string& wanted, const std::vector<std::string>
   return near ? "; did you mean \"" + *near + "\"?" : "; there is: " + joined(names);
 }
 
-/// Returns "a law" or another kind if the plugin has a component with this name; used if there is no
-/// component of the requested kind.
+/// If the plugin has a component of another kind with this name, returns that kind, such as "a law".
 std::string other_kind(const PluginContent& plugin, const std::string& type) {
   std::string kind;
   const auto look = [&](const auto& types, const char* what) {
@@ -125,7 +124,8 @@ const PluginContent& Registry::keep(PluginContent content) {
   return *slot;
 }
 
-/// Returns a text about files of the same name later in the search path, which the opened file hides.
+/// Returns a text about files that the opened file hides: files of the same name in later folders of the
+/// search path.
 std::string Registry::hidden(const std::string& name) const {
   const auto at = opened_.find(name);
   const std::string opened = at == opened_.end() ? "" : at->second->origin.file;

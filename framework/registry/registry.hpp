@@ -10,7 +10,8 @@
 
 namespace netloft {
 
-/// Thrown for a component that no plugin offers; the sentence gives the searched paths and similar names.
+/// Thrown if no plugin offers the requested component. The message gives the searched paths and similar
+/// names.
 struct UnknownComponent : PluginRefused {
   using PluginRefused::PluginRefused;
 };
@@ -38,8 +39,8 @@ class Registry {
   const LawType& law(const std::string& type);
   const PluginContent& plugin(const std::string& name);
 
-  /// Names of all plugins in the searched folders and in the program, sorted. This function opens none of
-  /// them, and searches each folder only once.
+  /// Sorted names of all plugins in the searched folders and in the program. Opens no plugin, and searches
+  /// each folder only once.
   std::vector<std::string> available() const;
   /// Plugins opened so far.
   std::vector<const PluginOrigin*> opened() const;

@@ -35,11 +35,11 @@ namespace {
 constexpr int kSeconds = 20;                 // time limit to open and describe a plugin, on a busy machine
 constexpr rlim_t kMemory = rlim_t{1} << 30;  // memory of a trial, in addition to that of the process
 constexpr char kCameBack = 'b', kNeedsMemory = 'm',
-               kIsLate = 'l';  // reports of a trial; there is none if the process ended before it reported
-// In the process that makes trials: file descriptor for messages to the program.
+               kIsLate = 'l';  // reports of a trial; a process that crashes sends none
+// File descriptor through which the process that makes trials sends messages to the program.
 constexpr int kTalk = STDERR_FILENO + 1;
 
-/// Discards the output of the process, which is of no use to users.
+/// Discards the output of this process, because users cannot do anything with it.
 void be_quiet() {
   const int nowhere = open("/dev/null", O_RDWR);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
@@ -55,8 +55,8 @@ void die_of_signals() {
 
 void report(char word) { [[maybe_unused]] const auto written = write(kTalk, &word, 1); }
 
-/// Closes all files except the connection `talk`. Files of the program that are also open here would stay
-/// locked until this process ends.
+/// Closes all files except the connection `talk`. Otherwise files of the program would stay locked until this
+/// process ends, because they are open here, too.
 void keep_only(int talk) {
   if (talk != kTalk) dup2(talk, kTalk);
 #if defined(SYS_close_range)
@@ -74,7 +74,7 @@ rlim_t memory_now() {
   return rlim_t{pages} * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// Limits a resource of this process from now on. A lower limit that a user has set is not raised.
+/// Limits a resource of this process from now on. If a user has set a lower limit, it stays.
 template <class Resource>
 void limit(Resource resource, rlim_t most) {
   rlimit now{};
@@ -171,8 +171,8 @@ void open_and_read(const char* file) {
   }
 }
 
-/// Runs the process that makes trials: opens one file after another, until the program ends or a file ends
-/// the process.
+/// Runs the process that makes trials: opens one file after another, until the program ends or a plugin ends
+/// this process.
 [[noreturn]] void try_files(int talk) {
   keep_only(talk);
   be_quiet();
@@ -237,7 +237,7 @@ class Trials {
   bool is_fresh() const { return tried_ == 0; }
 
  private:
-  // owner_: the process that started the trials; a fork of that process starts its own trials.
+  // owner_: the process that started the trials. After a fork, the new process starts trials of its own.
   pid_t process_ = -1, owner_ = -1;
   int talk_ = -1;
   int tried_ = 0;
@@ -266,7 +266,7 @@ char Trials::of(const std::string& file) {
 
 int Trials::end() {
   kill(process_,
-       SIGKILL);  // no report will follow; the exit status of an ended process is kept
+       SIGKILL);  // no report can follow; an exit status that the process already had is kept
   const int status = wait_for(process_);
   process_ = -1;
   return status;
@@ -280,13 +280,14 @@ std::string fault_on_trial(const std::filesystem::path& file) {
   const std::lock_guard lock(one_at_a_time);
   const std::string path = std::filesystem::absolute(file).string();
   for (;;) {
-    // No trial is made if the system has no resources.
+    // Without resources of the system, the file is opened without a trial.
     if (!trials.is_running() && !trials.start()) return {};
     const bool was_fresh = trials.is_fresh();
     const char word = trials.of(path);
     if (word == kCameBack) return {};
     const std::string fault = fault_of(word, trials.end());
-    // A file opened before may have caused the fault; therefore this file is tried again in a new process.
+    // The fault may be that of a file opened before in this process; therefore this file is tried again in a
+    // new one.
     if (was_fresh || word != 0) return fault;
   }
 }

@@ -5,12 +5,12 @@
 
 namespace netloft {
 
-/// Opens a plugin in a separate process and reads all its tables there, because opening a file runs its
+/// Opens a plugin in a separate process and reads all its tables there, because opening a plugin runs its
 /// start-up code. The trial may take 20 s and 1 GiB of memory. The trial fails if the process ends, with
-/// whatever exit code, before it reports. Returns what would have happened to this program, such as "crashed
-/// while it was opened (Segmentation fault)", or an empty text if the trial succeeds. The process is forked
-/// at the first trial, and again after a failed one; a fork for each plugin would copy the page tables of the
-/// program each time. A plugin that fails after others in the same process is tried again in a new one.
+/// whatever exit code, before it reports. Returns an empty text if the trial succeeds, otherwise what
+/// happened, such as "crashed while it was opened (Segmentation fault)". The process is forked at the first
+/// trial, and again after a failed one; forking for each plugin would copy the page tables of the program
+/// each time. If a plugin fails after others in the same process, it is tried again in a new process.
 std::string fault_on_trial(const std::filesystem::path& file);
 
 }  // namespace netloft

@@ -13,7 +13,7 @@ Course::Moment beyond(const Course::Knot& end, double t) {
   return m;
 }
 
-/// Displacement, speed and acceleration between two knots: (1) of course.hpp and its derivatives.
+/// Displacement, speed and acceleration between two knots, by (1) of course.hpp and its derivatives.
 Course::Moment between(const Course::Knot& p, const Course::Knot& q, double t) {
   const double H = q.t - p.t, s = (t - p.t) / H;
   Course::Moment m;

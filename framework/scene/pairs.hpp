@@ -9,9 +9,9 @@ namespace netloft {
 /// created only if it has such a term.
 bool may_act(const ElementType& type, const Values& parameters);
 
-/// Makes the part of a rider, an element that exists on each pair of neighbours of another element:
-/// neighbouring bars of a rope become bar pairs, triangles with a common edge become triangle pairs. The
-/// rider's data are made of the data of the same name of the other element: a number per element becomes two
+/// Makes the part of a rider. Such an element exists on each pair of neighbouring elements of another type:
+/// neighbouring bars of a rope become bar pairs, triangles with a common edge become triangle pairs. The data
+/// of the rider are made from data of the same name of the other type: a number per element becomes two
 /// (first, second), a number per corner becomes one per node of the pair. Parameters are copied if the
 /// rider's table has them.
 Part make_companion(const Part& part, const ElementType& ridden, const ElementType& rider);

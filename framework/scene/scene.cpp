@@ -40,7 +40,7 @@ Pieces find_pieces(const Scene& scene, const std::vector<int>& nodes_per_element
   return pieces;
 }
 
-/// The axes of the world along which a held node cannot move.
+/// The axes of the world along which a held node cannot move, as bits.
 std::uint8_t world_axes(const Scene& scene, std::uint32_t node) {
   if (!scene.carried.empty() && scene.carried[node]) return 0;
   const auto frame = scene.frames.find(node);
@@ -147,7 +147,7 @@ std::array<double, 3> Current::carried(double t) const {
     if (moves_as_one) times.push_back(factor.t);
   std::sort(times.begin(), times.end());
   const double sign = t < 0 ? -1 : 1, begin = std::min(t, 0.0), end = std::max(t, 0.0);
-  double from = begin;  // the velocity is linear between these times, so that its mean is that of both ends
+  double from = begin;  // so that the mean velocity is that of both ends
   const auto straight = [&](double to) {
     for (const double at : {from, to}) {
       const double time = 0.5 * sign * (to - from);
@@ -191,8 +191,8 @@ double RigidBody::arm() const {
 }
 
 std::optional<std::size_t> Scene::body_at(std::uint32_t origin) const {
-  // Bisection finds nearly all bodies, because they are made in the order of their nodes. Joining parts may
-  // change that order; all bodies are then searched.
+  // Bodies are made in the order of their nodes, so that bisection finds nearly all of them. Joined parts may
+  // change that order; then all bodies are searched.
   std::size_t first = 0, last = bodies.size();
   while (last - first > 1) {
     const std::size_t middle = first + (last - first) / 2;

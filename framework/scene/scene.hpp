@@ -29,8 +29,9 @@ struct SceneWater {
 
 /// Velocity of the water over depth and time, linear between samples and constant beyond them.
 ///   c(z, t) = profile(z) factor(t) + drift(t) + tow                                               (1)
-/// Without samples, the profile and the drift are zero and the factor is one: still water. A towed gear is at
-/// rest in the scene; water that is at rest over the ground moves past the gear with the velocity `tow`.
+/// Without samples, the profile and the drift are zero and the factor is one: still water. A towed gear does
+/// not move in the scene; instead, water that is at rest over the ground moves past the gear with the
+/// velocity `tow`.
 struct Current {
   struct Sample {
     double z;                        // [m]
@@ -55,7 +56,7 @@ struct Current {
   /// Velocity at height z and its derivative with respect to z.
   void at(double z, std::array<double, 3>& velocity, std::array<double, 3>& dz, double t = 0) const;
   /// Displacement of the water since time zero [m]. Only velocities that are the same everywhere count:
-  /// `tow`, `drifts`, and a profile that is the same at all heights.
+  /// `tow`, `drifts`, and the profile if it is the same at all heights.
   std::array<double, 3> carried(double t) const;
 };
 
@@ -85,11 +86,12 @@ struct Part {
   std::vector<std::uint32_t> nodes;  // scene nodes of the elements, element by element
   ElementData data;
   std::map<std::string, LawChoice> laws = {};  // laws by name of the slot; absent: the slot's default
-  bool companion = false;      // made on the pairs of neighbours of the preceding part of this name
+  bool companion = false;      // made for pairs of neighbouring elements of the preceding part, which has the
+                               // same name
   double viscosity_ratio = 1;  // effective viscosity over that of the water, in models of gears
   std::optional<std::uint32_t> flow = {};  // index of the part that is a flow (ext/flow.h) and changes the
-                                           // water here; nullopt: the water is undisturbed
-  std::vector<double> reach = {};          // per element: how far it is in reach of the flow, 0 to 1
+                                           // water here; nullopt: none does
+  std::vector<double> reach = {};          // per element: how much of the change by the flow it gets, 0 to 1
 };
 
 /// The part for which a node was first created, and the number of the node in that part.
@@ -106,8 +108,8 @@ struct Guide {
 
 enum Axis : std::uint8_t { kAxisX = 1, kAxisY = 2, kAxisZ = 4, kAllAxes = 7 };
 
-/// A rigid body: its origin is a node of the scene, and it carries other nodes. Its orientation adds three
-/// unknowns, a rotation vector (netloft/rotation.hpp), which is not a node of the scene.
+/// A rigid body: its origin is a node of the scene, and it carries other nodes. Its rotation vector
+/// (netloft/rotation.hpp) adds three unknowns, which are not a node of the scene.
 struct RigidBody {
   struct Point {
     std::uint32_t node;
@@ -120,14 +122,14 @@ struct RigidBody {
   std::uint8_t held_rotation = 0;  // components of the rotation vector that cannot change
   std::vector<Point> points;
   std::uint32_t rotation_node = 0;  // number of the node for the rotation, set by the assembler
-  /// The length that converts rotations to lengths (product) and moments to forces (quotient): the largest
-  /// distance between the origin and a point of the body, or 1 m if the body has no other point [m].
+  /// The arm [m]: rotations times the arm are lengths, moments divided by it are forces. It is the largest
+  /// distance between the origin and a point of the body, or 1 m if the body has no other point.
   double arm() const;
 };
 
-/// A number of the scene that is found together with the equilibrium, such as the length of a rope. The data
-/// of a part that add up to this number are multiplied by a factor, such that a held node has a given
-/// reaction.
+/// A number of the scene that is found together with the equilibrium, such as the length of a rope. The
+/// number is the sum of a datum over a part. The datum is multiplied by the factor for which a held node has
+/// a given reaction.
 struct Setting {
   std::string name;        // "length of warp", for sentences
   std::string part;        // name of the part and of its companions (on pairs of its elements)
@@ -138,8 +140,8 @@ struct Setting {
   double factor = 1;       // factor by which the data have been multiplied since the scene was read
 };
 
-/// The model: parts of a gear on nodes in water, with holds, guides and bodies. It is plain data, made by the
-/// reader of a file.
+/// The model: parts of a gear on nodes in water, with holds, guides and bodies. It is plain data, which the
+/// reader of a file fills in.
 struct Scene {
   std::string name;
   SceneWater water;
@@ -150,7 +152,7 @@ struct Scene {
   std::vector<double> positions;   // initial positions, 3 per node [m]
   std::vector<std::uint8_t> held;  // per node: the axes along which the node cannot move
   /// Axes of nodes that are held along axes other than x, y and z: the columns of a rotation matrix, stored
-  /// row by row. Bits of `held` then refer to these axes.
+  /// row by row. The bits of `held` of such a node refer to these axes.
   std::map<std::uint32_t, std::array<double, 9>> frames;
   std::vector<RigidBody> bodies;  // bodies; their points are `carried`
   std::vector<bool> carried;      // per node: whether a body carries it; empty if there are no bodies
@@ -178,7 +180,7 @@ struct Scene {
   }
 };
 
-/// An error in a part of a scene that the scene's author can correct.
+/// An error in a part of a scene, for the author of the scene to correct.
 struct SceneFault {
   std::string part;  // empty: the scene as a whole
   std::string message;
@@ -191,7 +193,7 @@ struct SceneError : std::runtime_error {
 };
 
 /// Finds parts of a gear that could drift away, because no node to which they are connected is held along
-/// some axis. Returns one fault per disconnected piece.
+/// some axis. Returns a fault for each such piece.
 std::vector<SceneFault> find_loose_parts(const Scene& scene, const std::vector<int>& nodes_per_element);
 
 }  // namespace netloft

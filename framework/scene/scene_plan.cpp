@@ -15,12 +15,13 @@ bool meets_flow(const Scene& scene, AnalysisKind kind) {
   return scene.current.flows() || (kind == AnalysisKind::dynamics && scene.water.density > 0);
 }
 
-/// The choices that the parts of a family have in common.
+/// The properties that all parts of a family have in common.
 struct FamilyKey {
   const ElementType* type;
   double viscosity_ratio;
   std::optional<std::uint32_t> flow;                 // flow that changes the water
-  std::vector<std::pair<std::string, Values>> laws;  // type and parameters, slot by slot; empty if none acts
+  std::vector<std::pair<std::string, Values>> laws;  // type and parameters of the law in each slot; empty if
+                                                     // no term reads laws
 
   bool operator<(const FamilyKey& other) const {
     return std::tie(type, viscosity_ratio, flow, laws) <
@@ -100,8 +101,8 @@ std::string all_are_zero(const std::vector<std::string>& names) {
   return text + (names.size() > 1 ? " are zero" : " is zero");
 }
 
-/// Finds the unknowns that the elements of each part share. Some exist only if a certain parameter of the
-/// part is not zero, and none if no term is active that could determine them.
+/// Finds the unknowns that the elements of each part share. Some of them exist only if a certain parameter of
+/// the part is not zero. None exists if no term is active that could determine it.
 void find_globals(FamilyPlan& family, const Scene& scene) {
   if (std::ranges::none_of(family.terms, &TermPlan::on)) return;
   for (const auto part : family.parts)
@@ -110,8 +111,8 @@ void find_globals(FamilyPlan& family, const Scene& scene) {
         family.globals.push_back({part, g.name, g.unit, g.doc});
 }
 
-/// Refuses shared unknowns of a part unless the exact tangent is used: with another tangent, their equations
-/// would be singular.
+/// Refuses unknowns that a part shares if the tangent is not exact, because their equations would be
+/// singular.
 void check_globals(const FamilyPlan& family, const ScenePlan& plan, const Scene& scene) {
   if (family.globals.empty() || plan.tangent == TangentChoice::exact) return;
   const GlobalPlan& first = family.globals.front();
@@ -131,7 +132,7 @@ void check_flow(const FamilyPlan& family, const ScenePlan& plan, const Scene& sc
                                "mouth over the speed"}});
 }
 
-/// Adds to the reasons of terms that they see the water as a flow changes it.
+/// Adds to the reason of every term that sees changed water which flow changes it.
 void note_flow(FamilyPlan& family, const Scene& scene) {
   if (!family.flow) return;
   for (TermPlan& term : family.terms)
@@ -243,7 +244,7 @@ std::vector<std::string> unused_plugins(const ScenePlan& plan, const Registry& r
 
 namespace {
 
-/// Whether a parameter is neither given nor has a default.
+/// Whether a parameter has no default and is not given.
 bool is_left_out(const Part& part, const ElementType& type, std::string_view parameter) {
   for (const auto& p : type.parameters)
     if (std::string_view(p.name) == parameter)

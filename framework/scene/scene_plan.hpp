@@ -14,7 +14,7 @@ struct TermPlan {
   std::uint32_t traits = 0;
   bool on = false;
   std::string reason;
-  bool when_it_moves = false;  // inactive in statics, but acts if a small disturbance moves the gear
+  bool when_it_moves = false;  // does not act at rest, but acts if a small disturbance moves the gear
 };
 
 /// The law that the elements of a family use in one slot.
@@ -24,8 +24,8 @@ struct LawPlan {
   LawChoice choice;
 };
 
-/// Forces without an energy, such as drag, have an unsymmetric tangent. The part of this tangent that is
-/// used: all, the symmetric part, or none.
+/// How much of the unsymmetric tangent of forces without an energy, such as drag, is used: all of it, its
+/// symmetric part, or nothing.
 enum class TangentChoice { exact, symmetric, elastic };
 
 /// The two kinds of analysis: equilibrium at rest, or motion in time.
@@ -49,9 +49,9 @@ struct FamilyPlan {
   std::optional<std::uint32_t> flow = {};  // index of the scene part that changes the water here, if any
 };
 
-/// Whether a term sees the water as a flow changes it: it is drag and depends on the velocity of the water
-/// relative to the element only, so that its derivative with respect to the current is minus that with
-/// respect to the velocity.
+/// Whether a flow changes the water for a term. This is so for drag that depends only on the velocity of the
+/// water relative to the element; its derivative with respect to the current is minus that with respect to
+/// the velocity.
 inline bool sees_changed_water(std::uint32_t traits) {
   constexpr std::uint32_t kDragOnMoving = NETLOFT_IS_DRAG | NETLOFT_READS_CURRENT | NETLOFT_READS_VELOCITY;
   return (traits & kDragOnMoving) == kDragOnMoving && !(traits & NETLOFT_SYMMETRIC);
@@ -66,7 +66,7 @@ struct ScenePlan {
   AnalysisKind kind = AnalysisKind::statics;
   TangentChoice tangent = TangentChoice::exact;
   bool symmetric = true, conservative = true;
-  bool between = false;               // forces are averaged over steps in time, whose matrix is not symmetric
+  bool between = false;               // forces are means over steps in time, which have an unsymmetric matrix
   std::string unsymmetric_because;    // what makes it unsymmetric, such as "priour/triangle drag"
   std::array<double, 3> ground = {};  // velocity at which the ground passes the gear [m/s]
 
@@ -79,7 +79,7 @@ struct ScenePlan {
 ScenePlan make_scene_plan(const Scene& scene, Registry& registry,
                           TangentChoice tangent = TangentChoice::exact,
                           AnalysisKind kind = AnalysisKind::statics);
-/// Adapts the plan to a motion whose integrator uses forces averaged over its steps.
+/// Adapts the plan to a motion whose integrator uses mean forces over its steps.
 void use_mean_forces(ScenePlan& plan, const std::string& integrator);
 
 /// Plugins that are available but not used by any part of a plan; a printed plan lists them as not loaded.

@@ -25,7 +25,7 @@ struct WinchStage {
 /// A rope on a winch in a moving scene (framework/motion/winches.hpp).
 struct Winch {
   std::string part;         // name of the rope's part
-  std::string parameter;    // parameter of the rope: a table over time of the factor on its length
+  std::string parameter;    // parameter of the rope for the factor on its length, a table over time
   std::uint32_t block = 0;  // node of the scene, held along all axes
   double length = 0;        // length of the rope at a factor of one [m]
   std::vector<WinchStage> stages = {};  // stages in order of time; the first begins at the start

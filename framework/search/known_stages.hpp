@@ -25,16 +25,16 @@ struct StageRequest {
 struct KnownStage {
   StageRequest request;
   Solution solution;
-  bool is_cut_off = false;  // whether the stage ended for lack of budget, and can be continued
+  bool is_cut_off = false;  // whether the stage ended because its budget was used up, and can be continued
   // For a strategy only:
   bool has_solution = true;  // whether the strategy solved some stage of its own scene
   netloft_ending ending = NETLOFT_ENDED_NOT_CONVERGED;
-  int unsettled = 0;  // number of the strategy's stages that did not come to rest
+  int unsettled = 0;  // how many stages of the strategy did not come to rest
 };
 
 /// Stores the results of stages in a search, so that no stage is solved twice. A strategy that ran out of
-/// work is called again from the same start: it repeats its stages at next to no cost, and the stage at which
-/// the work ended continues from its final point. Methods that a strategy runs by itself are not stored; they
+/// work is called again from the same start: it repeats its stages at next to no cost, and the stage in which
+/// the work ran out continues from its final point. Methods that a strategy runs by itself are not stored and
 /// run again.
 ///
 /// If all results together exceed `most` numbers, those that were not requested for the longest time are
@@ -45,7 +45,7 @@ class KnownStages {
 
   /// The stored result of this request, or nullptr if there is none.
   const KnownStage* find(const StageRequest& request);
-  /// Stores a result without its cost and history. It replaces an earlier result of the same request.
+  /// Stores a result, but not its cost and history. It replaces an earlier result of the same request.
   void keep(KnownStage stage);
 
  private:

@@ -8,11 +8,11 @@
 namespace netloft {
 
 /// Coarser meshes of a scene. Only the reader of the scene knows how parts are divided into cells. A search
-/// therefore requests scenes by their level, and positions interpolated from one level to another.
+/// therefore asks this class for the scene of a level, and for positions interpolated between levels.
 class Levels {
  public:
   virtual ~Levels() = default;
-  /// Number of meshes, at least one. A level below this number may still be missing; `scene` then returns
+  /// Largest possible number of meshes, at least one. Some levels may not exist; for these, `scene` returns
   /// nullptr.
   virtual unsigned most() const = 0;
   /// The scene on a level; 0 is the original mesh. nullptr if the level does not exist.

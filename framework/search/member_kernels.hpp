@@ -19,7 +19,7 @@ struct MemberSite {
   std::array<std::int32_t, 9> dof{}, block{};
 };
 
-/// For each node of a member: its coefficient c in the member's chord w = Σ c x, and the product of c and the
+/// For each node of a member: its coefficient c in the chord w = Σ c x of the member, and c times the
 /// `number` of equal twines that the member represents (netloft_member).
 struct MemberWeights {
   std::array<double, 3> c, number_c;

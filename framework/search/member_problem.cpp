@@ -21,7 +21,7 @@ bool bears(const netloft_member& member) { return member.EA != 0 || member.EA_co
 
 bool all_finite(std::span<const double> v) {
   double sum = 0;
-  for (const double a : v) sum += a - a;  // zero unless a number is infinite or NaN
+  for (const double a : v) sum += a - a;  // the sum is zero unless a number is infinite or NaN
   return sum == 0;
 }
 
@@ -64,7 +64,8 @@ void MemberProblem::list_members(const ElementFamily& family) {
   for (std::size_t e = 0; e < family.size(); ++e) add_site(family, e, {&reported[e * count], count});
 }
 
-/// Adds the sites (groups of nodes) of one element. A site has up to two members, as the kernels expect.
+/// Adds the sites (groups of nodes) of one element. A site has at most two members, because the kernels
+/// expect this.
 void MemberProblem::add_site(const ElementFamily& family, std::size_t element,
                              std::span<const netloft_member> reported) {
   MemberSite site;

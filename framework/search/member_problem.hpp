@@ -16,9 +16,9 @@ namespace netloft {
 /// that it represents, c are the coefficients of its chord, and t is its unit vector (netloft_member). Counts
 /// and times every call as StaticProblem does, on the same assembler. Everything is at rest, at time zero.
 ///
-/// Rigid bodies move but do not turn. Thus c is constant for members at their points, as these methods
-/// require, and a board stays upright while its ropes become taut. The result is an initial guess for a
-/// solver that turns the bodies.
+/// Rigid bodies move but do not turn. Thus the coefficients c stay constant, as such methods require, and a
+/// board stays upright while its ropes become taut. The result is an initial guess for a solver that turns
+/// the bodies.
 class MemberProblem {
  public:
   /// Uses the elements that declare members and whose term with NETLOFT_OF_MEMBERS is active. Members without
@@ -61,12 +61,13 @@ class MemberProblem {
   Statistics statistics_;
   Factors factors_;
   Stop stop_ = Stop::none;
-  double begun_ = 0, begun_cpu_ = 0, load_ = 0;  // times of the start [s]; largest |r| at the last state [N]
+  double begun_ = 0, begun_cpu_ = 0, load_ = 0;  // wall and processor time at the start [s]; largest |r| at
+                                                 // the last state [N]
 
   std::vector<netloft_member> members_;
   std::vector<std::uint32_t> part_;
-  /// A coordinate of a node on a body. In the chord of `member`, it has the coefficient c[k]. `point` is the
-  /// index of this coordinate in vectors over all degrees of freedom, `origin` the index of the same
+  /// A coordinate of a node that a body carries. Its coefficient in the chord of `member` is c[k]. `point` is
+  /// the index of this coordinate in vectors over all degrees of freedom, `origin` the index of the same
   /// coordinate of the body's origin.
   struct Carried {
     std::size_t member, k, axis;

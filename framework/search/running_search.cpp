@@ -174,7 +174,7 @@ void RunningSearch::run(const StrategyType& type, const void* parameters) {
   const int status = call_strategy(type, parameters, interface_);
   close();
   if (status == NETLOFT_OK) return;
-  // If nested strategies fail for the same reason, the innermost is named.
+  // If nested strategies fail for the same reason, the message names the innermost one.
   const std::string failed = "the strategy ", why = message_;
   failure_ = why.starts_with(failed) ? why : failed + type.type + " failed" + (why.empty() ? "" : ": ") + why;
   if (!has_any()) throw std::runtime_error(failure_);
@@ -193,9 +193,9 @@ Solution RunningSearch::best() const {
   return s;
 }
 
-/// Returns the best point. The outermost of nested strategies also explains why the search ended. No
-/// explanation is added if the last stage already reports an exhausted budget or time limit. After an
-/// interrupt between two stages the status is `interrupted`.
+/// Returns the best point. If strategies are nested, only the outermost adds why the search ended. It adds
+/// nothing if the last stage already reports that the budget or the time is used up. After an interrupt
+/// between two stages the status is `interrupted`.
 Solution RunningSearch::explained() const {
   Solution s = best();
   if (is_stationary(s) && equilibria_.has_any()) return s;
@@ -217,10 +217,10 @@ std::uint32_t RunningSearch::size_of(std::uint32_t level) {
   return variant_problem ? static_cast<std::uint32_t>(variant_problem->assembler->pattern().size) : 0;
 }
 
-/// Returns how the strategy ended: as the stage that found the equilibrium did or, without an equilibrium, as
-/// the last stage of the scene itself. The stage closest to balance does not decide, because a later stage
-/// may have been cut off farther from balance. A strategy that solved no stage of its scene although work was
-/// left has not run out of work.
+/// Returns how the strategy ended. This is the ending of the stage that found the equilibrium or, without an
+/// equilibrium, of the last stage of the scene itself. (The stage closest to balance does not count, because
+/// a later one may have been cut off.) If the strategy solved no stage of its scene although work was left,
+/// it has not run out of work.
 netloft_ending RunningSearch::ending() const {
   const Solution found = best();
   if (is_stationary(found)) return ending_of(found);
@@ -233,8 +233,8 @@ double RunningSearch::work_left() const {
   return host_.is_interrupted() ? 0 : std::max(0.0, budget_ - (host_.spent() - begun_)) / unit_;
 }
 
-/// Checks a stage and completes it. Its variant is then relative to the original scene, and its work in
-/// Newton iterations of that scene.
+/// Checks a stage, and converts its variant and its work: the variant becomes relative to the original scene,
+/// and the unit of work becomes a Newton iteration of that scene.
 netloft_stage RunningSearch::seen_from_host(const netloft_stage& stage) {
   const netloft_variant& v = stage.variant;
   const bool is_fraction = v.compression >= 0 && v.compression <= 1 && v.current >= 0 && v.current <= 1;
@@ -302,7 +302,7 @@ int RunningSearch::call(const char* strategy, const char* parameters, netloft_st
   return NETLOFT_OK;
 }
 
-/// Runs a strategy that this strategy calls. Its result is stored if it ended with work left, because more
+/// Runs a strategy that this strategy calls. If work is left at the end, the result is stored, because more
 /// work would not change it.
 KnownStage RunningSearch::run_inner(const StrategyType& type, const void* parameters,
                                     const netloft_stage& seen, StageRequest request) {
@@ -401,7 +401,7 @@ double RunningSearch::bending(const double* u) {
   return largest;
 }
 
-/// Stores an equilibrium of the scene itself until the strategy reports it. Updates the point closest to
+/// Keeps an equilibrium of the scene itself until the strategy reports it. Updates the point closest to
 /// balance.
 void RunningSearch::keep(const netloft_stage& stage, const Solution& s) {
   constexpr std::size_t kMostKept = 8;  // strategies report equilibria soon after their stage

@@ -11,13 +11,13 @@
 
 namespace netloft {
 
-/// A search (an attempt to find the equilibrium of a scene) as one strategy sees it. If another strategy
-/// called this strategy, its scene can be a variant of the original scene, and its budget is part of the
-/// total work. The budget is expressed in Newton iterations of its scene.
+/// One strategy's search for the equilibrium of a scene. If another strategy called this one, the scene can
+/// be a variant of the original scene, and the budget is part of the total budget. The unit of the budget is
+/// a Newton iteration of the strategy's own scene.
 class RunningSearch {
  public:
-  /// `tolerance` is the tolerance for the scene of the strategy; `work` is in Newton iterations of the
-  /// original scene.
+  /// `tolerance` is the tolerance for the scene of the strategy; `work` is the budget in Newton iterations of
+  /// the original scene.
   RunningSearch(SearchHost& host, const netloft_variant& scene, double tolerance, double work,
                 const double* start);
   RunningSearch(const RunningSearch&) = delete;
@@ -25,12 +25,12 @@ class RunningSearch {
 
   netloft_search& interface() { return interface_; }
   void run(const StrategyType& type, const void* parameters);
-  /// The reason why a strategy cannot search this scene; nothing if there is none.
+  /// The reason why a strategy cannot search this scene; nullopt if it can.
   std::optional<std::string> why_unfit(const StrategyType& type) const;
 
   /// The best answer; if there is none, the stage of the scene itself that came closest to balance.
   Solution best() const;
-  /// Returns best() and, if the strategy gave no answer, adds the reason to it.
+  /// Returns best(). If the strategy gave no answer, the result says why.
   Solution explained() const;
   /// Whether some stage of the scene itself has been solved.
   bool has_any() const { return equilibria_.has_any() || closest_.has_value(); }

@@ -24,8 +24,8 @@ ParameterBlock block_of(const StrategyUse& use) {
   return block;
 }
 
-/// The result if a strategy solved no stage of the scene: the start of the scene, assessed, with the reason.
-/// Callers need a position for every node.
+/// The result if a strategy solved no stage of the scene: an assessment of the initial positions, with the
+/// reason. Callers need positions, even if nothing was solved.
 Solution at_start(SearchHost& host, const netloft_search& search, Solution none) {
   std::vector<double> u(search.unknowns, 0.0);
   if (search.start) u.assign(search.start, search.start + search.unknowns);
@@ -38,7 +38,7 @@ Solution at_start(SearchHost& host, const netloft_search& search, Solution none)
   stage.work = host.options().work;
   Solution start = host.assess(stage);
   start.cost = std::move(none.cost);
-  if (search.unknowns == 0) return start;  // without unknowns there is no other point
+  if (search.unknowns == 0) return start;  // if nothing can move, the start is the only point
   start.status = none.status == SolveStatus::interrupted ? none.status : SolveStatus::not_converged;
   start.reason = std::move(none.reason);
   start.does_not_settle = none.does_not_settle;
@@ -58,7 +58,7 @@ Solution find_as_set(const VariantSource& source, const SearchOptions& options, 
   return best;
 }
 
-/// Solves one stage of the scene itself from u, with the solver of the options.
+/// Solves one stage of the scene itself from u, with the solver of the search options.
 Solution solve_near(const VariantSource& source, const SearchOptions& options, std::vector<double> u) {
   constexpr std::uint32_t kNear = 100;  // limit of iterations, the same as for an initial guess by the user
   SearchHost host(source, options);

@@ -21,7 +21,7 @@ struct StrategyUse {
   Values parameters;
 };
 
-/// Solver, limits and receivers of a search.
+/// Solver and limits of a search, and functions to call during the search.
 struct SearchOptions {
   SolverUse solver;  // solver of stages that name no solver
   Limits limits;     // limits for the scene itself; `seconds` and `interrupt` apply to the whole search
@@ -32,8 +32,8 @@ struct SearchOptions {
   /// Called after every stage with its record and its final displacements. If the stage was on a coarser
   /// mesh, the displacements are interpolated to the original mesh.
   std::function<void(const StageRecord&, std::span<const double> u)> on_stage = {};
-  /// Parameters that the user set for solvers and strategies that stages name. The key is their type
-  /// ("newton/newton"). These parameters override those of the strategy.
+  /// Parameters that the user set for solvers and strategies, by their type ("newton/newton"). They override
+  /// parameters that a strategy sets in a stage.
   std::map<std::string, Values> given = {};
 };
 
@@ -42,8 +42,8 @@ struct SearchOptions {
 /// requests stages, each a solve of a variant by a solver within a budget, and reports equilibria of the
 /// scene itself. The host counts the work of every stage, assesses it (verdict.hpp) and stores its record.
 /// Without an answer, the solution is the stage of the scene itself that came closest to balance, with a
-/// reason. All stages use the same memory of elements (friction); the elements of the source store the answer
-/// at the end. Throws SceneError or PluginRefused if a stage cannot be made.
+/// reason. All stages use the same memory of elements (friction); at the end, the elements of the source
+/// remember the answer. Throws SceneError or PluginRefused if a stage cannot be made.
 ///
 /// If the scene has settings (such as the length of a rope that is to have a given tension), they are found
 /// as well (settings.hpp). The answer then belongs to a different scene, with `Solution::factors`: the caller
@@ -51,17 +51,18 @@ struct SearchOptions {
 Solution find_equilibrium(const VariantSource& source, const SearchOptions& options,
                           const StrategyUse& strategy, const std::vector<double>& start = {});
 
-/// Describes the attempts of a strategy, their order and reasons, one per line; empty if the strategy gives
-/// no description. Nothing is solved.
+/// Describes the attempts of a strategy, their order and reasons, one per line, without solving anything.
+/// Empty if the strategy gives no description.
 std::string explain_strategy(const VariantSource& source, const SearchOptions& options,
                              const StrategyUse& strategy);
 
-/// The reason why a strategy, or one that its parameters name, cannot search this scene: it needs features
-/// that the scene does not have. Nothing if there is none.
+/// The reason why a strategy cannot search this scene: it, or a strategy that its parameters name, needs
+/// features that the scene does not have. nullopt if there is none.
 std::optional<std::string> why_unfit(const VariantSource& source, const SearchOptions& options,
                                      const StrategyUse& strategy);
 
-/// Parses "method=classic,damping=1" by a table of parameters. Throws std::invalid_argument with a sentence.
+/// Parses values such as "method=classic,damping=1" for the parameters in a table. Throws
+/// std::invalid_argument with a sentence.
 Values parse_parameters(std::span<const netloft_parameter> table, const std::string& text);
 
 }  // namespace netloft

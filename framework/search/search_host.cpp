@@ -9,7 +9,7 @@ namespace netloft {
 
 namespace {
 
-/// A solver that returns at once. It lets the host assess a point by the same code as after a solve.
+/// A solver that returns at once, so that the host can assess a point by the same code as after a solve.
 const SolverType& no_solver() {
   static const SolverType type = [] {
     SolverType none;
@@ -112,7 +112,7 @@ const KnownStage* SearchHost::find_known(const StageRequest& request) {
   return known;
 }
 
-/// Stores a result, except an equilibrium of the scene itself, which ends the search.
+/// Stores a result. An equilibrium of the scene itself is not stored, because it ends the search.
 void SearchHost::keep_known(KnownStage stage) {
   const bool is_scene =
       is_as_written(stage.request.variant) && stage.request.tolerance <= options_.limits.tolerance;

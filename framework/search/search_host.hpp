@@ -5,8 +5,8 @@
 
 namespace netloft {
 
-/// Data shared by all strategies of one search: the variants, the solvers, the records of all stages and
-/// their work.
+/// Data that all strategies of a search share: the variants, the solvers, and the records and work of all
+/// stages.
 class SearchHost {
  public:
   SearchHost(const VariantSource& source, const SearchOptions& options);
@@ -26,12 +26,12 @@ class SearchHost {
   Limits limits_of(const netloft_stage& stage, const VariantProblem& variant_problem);
   /// Observer of a stage; it stores points of the original scene only.
   Observer observer_of(const netloft_stage& stage) const;
-  /// The stored result of a request, or nullptr. Using a stored result costs one evaluation of work;
-  /// otherwise a strategy could repeat one request forever.
+  /// The stored result of a request, or nullptr. Using a stored result costs as much work as one evaluation;
+  /// otherwise a strategy could repeat a request forever.
   const KnownStage* find_known(const StageRequest& request);
   void keep_known(KnownStage stage);
-  /// Solves `stage`, whose variant is relative to the original scene, and stores its record. A known stage is
-  /// neither solved nor recorded again.
+  /// Solves `stage`, whose variant is relative to the original scene, and stores its record. A stage whose
+  /// result is stored is neither solved nor recorded again.
   Solution solve(const netloft_stage& stage, const SolverUse& solver);
   Solution assess(const netloft_stage& stage);
   /// Adds the record of a stage. On input, `stage.work` is the work of its assessment.

@@ -16,16 +16,14 @@ namespace {
 using Eigen::MatrixXd, Eigen::VectorXd;
 
 // Constants of the search for factors. Changes of factors are relative: they are changes of the logarithm.
-// kFirstChange is the change over which slopes are measured. Such a change of a factor changes a tension by
-// some percent. Equilibria are found to 1e-10 of the load, so that the change of the tension is known to 7
-// digits.
+// Slopes are measured over the change kFirstChange of a factor, which changes a tension by some percent.
+// Equilibria are found to 1e-10 of the load, so that this change of tension has 7 correct digits.
 constexpr double kFirstChange = 0.01;
-// kLargestChange is the largest change in one step. If the length of a warp changes by 5 %, Newton's method
-// still converges from the previous equilibrium.
+// Largest change in one step. If the length of a warp changes by 5 %, Newton's method still converges from
+// the previous equilibrium.
 constexpr double kLargestChange = 0.05;
-constexpr int kMostHalvings =
-    3;  // number of times a step is halved; 1/8 of 5 % is less than the change over which slopes are measured
-constexpr int kMostSteps = 60;  // number of steps; 60 steps of 5 % multiply a factor by 18
+constexpr int kMostHalvings = 3;  // number of times a step is halved; 1/8 of 5 % is less than kFirstChange
+constexpr int kMostSteps = 60;    // number of steps; 60 steps of 5 % multiply a factor by 18
 constexpr double kForceTolerance =
     1e-9;  // tolerance relative to the given force; ten times that of equilibria
 
@@ -89,10 +87,10 @@ class SettingSearch {
     return true;
   }
 
-  /// Directions along which slopes are measured. The first changes all factors alike. Each of the others
-  /// changes one factor against all previous ones. Slopes along single factors would be less accurate: if one
-  /// of two warps is longer than the other, a change of both lengths by one factor hardly changes their
-  /// tensions.
+  /// Directions along which slopes are measured. The first direction changes all factors by the same amount;
+  /// each of the others changes one factor against all previous ones. Slopes along single factors would be
+  /// less accurate: with two warps, changing one length alone changes tensions much more than changing both
+  /// lengths together.
   static MatrixXd directions(Eigen::Index n) {
     MatrixXd all = MatrixXd::Zero(n, n);
     all.col(0).setOnes();
@@ -154,8 +152,8 @@ class SettingSearch {
     return names;
   }
 
-  /// For example "no length of warp was found at which its end bears 1.2e+04 N; the nearest is 9.1e+03 N, at
-  /// 93.2 m"
+  /// Returns a sentence such as "no length of warp was found at which its end bears 1.2e+04 N; the nearest is
+  /// 9.1e+03 N, at 93.2 m"
   std::string sentence_at(const Point& at) const {
     std::string text;
     const auto factors = factors_at(at.y);
@@ -179,7 +177,7 @@ class SettingSearch {
   MatrixXd slopes_;  // slopes J of (2)
   Cost cost_;        // cost of all equilibria
   bool is_interrupted_ = false;
-  std::string failed_;  // the reason why the last step found no equilibrium
+  std::string failed_;  // why the last step found no equilibrium
 };
 
 template <class Visit>

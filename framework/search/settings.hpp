@@ -15,8 +15,7 @@ void set_factors(Scene& scene, std::span<const double> factors);
 /// Sum of the data of a setting over the elements of its part, such as the length of a rope.
 double amount_of(const Scene& scene, const Setting& setting);
 
-/// An equilibrium of a scene whose settings have given factors, and the reactions at the nodes of the
-/// settings [N].
+/// An equilibrium for given factors of the settings, and the reactions at the nodes of the settings [N].
 struct SetEquilibrium {
   Solution solution;
   std::vector<double> reactions;  // reaction of each setting; empty: no equilibrium was found
@@ -27,12 +26,12 @@ struct SetEquilibrium {
 using FindWithFactors =
     std::function<SetEquilibrium(std::span<const double> factors, const std::vector<double>& start)>;
 
-/// Finds the factors of the settings of a scene for which the node of each setting has the given reaction:
+/// Finds the factors of the settings of a scene such that the node of each setting has the required reaction:
 ///   g_k(y) = R_k/T_k − 1 = 0,   y_k = ln of factor k                                             (1)
-/// R_k [N] is the magnitude of the reaction at the equilibrium, T_k [N] the given force. The slopes J of g
-/// over y are measured with one more equilibrium per setting. Then follow Newton steps with slopes that are
-/// updated in every step (C. G. Broyden, Mathematics of Computation 19, 1965; the secant method if there is
-/// one setting):
+/// R_k [N] is the magnitude of the reaction at the equilibrium, T_k [N] the required reaction. The slopes J
+/// of g over y are measured with one more equilibrium per setting. Then follow Newton steps with slopes that
+/// are updated in every step (C. G. Broyden, Mathematics of Computation 19, 1965; the secant method if there
+/// is one setting):
 ///   J s = −g,   y' = y + t s,   t ≤ 1 so that no |t s_k| exceeds kLargestChange                  (2)
 ///   J' = J + (g' − g − t J s) sᵀ/(t sᵀs)                                                         (3)
 /// A step is halved if it finds no equilibrium or does not reduce the largest |g_k|; if that does not help,

@@ -4,11 +4,11 @@
 
 namespace netloft {
 
-/// Chooses among the equilibria that a strategy reports. Converged equilibria precede unstable ones. If every
-/// force has an energy, the converged equilibrium of least energy is chosen, otherwise the first one. Two
-/// equilibria count as the same shape if the positions of each node differ by at most 1e-5 of the size of the
-/// gear. They also do if both are neutral with equal energies, because a motion without any force then leads
-/// from one to the other.
+/// Chooses among the equilibria that a strategy reports. Converged equilibria take precedence over unstable
+/// ones. If every force has an energy, the converged equilibrium of least energy is chosen, otherwise the
+/// first one. Two equilibria count as the same shape if the positions of each node differ by at most 1e-5 of
+/// the size of the gear. They also count as the same if both are neutral with equal energies, because the
+/// gear can then move from one to the other without any force.
 class EquilibriumChoice {
  public:
   /// `gear_size` [m]; `has_energy`: whether every force has an energy.
@@ -16,7 +16,7 @@ class EquilibriumChoice {
 
   void add(Solution solution);
   bool has_any() const { return !found_.empty(); }
-  /// The chosen equilibrium, with a list of the others. At least one must have been added.
+  /// The chosen equilibrium, with a list of the others. Requires that one has been added.
   Solution best() const;
 
  private:

@@ -23,7 +23,7 @@ std::shared_ptr<VariantProblem> VariantProblems::find_level(unsigned level) {
   return levels_.emplace(level, scene ? make_problem_as_set(*scene) : nullptr).first->second;
 }
 
-/// Creates the problem of a coarser mesh. Its settings have the same factors as those of the source.
+/// Creates the problem of a coarser mesh. Its settings have the same factors as the settings of the source.
 std::shared_ptr<VariantProblem> VariantProblems::make_problem_as_set(const Scene& scene) const {
   if (scene.settings.empty()) return make_problem(scene);
   auto own = std::make_unique<Scene>(scene);

@@ -22,7 +22,7 @@ struct VariantProblem {
   std::unique_ptr<Assembler> own_assembler;
 };
 
-/// The scene with its assembler from which a search makes its variants.
+/// The original scene with its assembler, from which a search makes variants.
 struct VariantSource {
   const Scene* scene = nullptr;
   Assembler* assembler = nullptr;
@@ -33,8 +33,8 @@ struct VariantSource {
   int threads = 1;
 };
 
-/// Creates the variants of a scene when they are first requested. Stores the unmodified scene of each level
-/// of mesh, and the last other variant.
+/// Creates the variants of a scene when they are first requested. Stores the problem of each level of mesh
+/// without other changes, and the last problem of any other variant.
 class VariantProblems {
  public:
   explicit VariantProblems(VariantSource source);

@@ -89,7 +89,7 @@ void cap_stiffness(Scene& scene, Registry& registry, double cap) {
            [&](Part& part, const auto& type, const auto& p) {
              const auto own = largest.find(part.name);
              if (own == largest.end() || own->second <= cap) return;
-             // A parameter that defaults to another stiffness changes with that stiffness.
+             // A parameter whose default is another stiffness changes with that stiffness.
              const bool given = part.parameters.contains(p.name) || !p.fallback_of;
              const double value = value_of(part, type, p);
              if (given && value > 0) part.parameters[p.name] = std::max(p.lo, value * (cap / own->second));

@@ -18,8 +18,8 @@ std::string text_of(const netloft_variant& variant);
 
 /// Returns a scene with the same parts and nodes but other parameters; the coarser mesh of a variant is made
 /// elsewhere. Which parameters change follows from their roles (NETLOFT_STIFFNESS, NETLOFT_COMPRESSION):
-///   stiffness_cap  divides all stiffnesses of a part by one factor, which brings its largest axial
-///                  stiffness down to the cap [N] if that is exceeded
+///   stiffness_cap divides all stiffnesses of a part by one factor if its largest axial
+///                  stiffness exceeds the cap [N]; that stiffness then equals the cap
 ///   compression    multiplies stiffnesses in compression; at zero, the elastic energy under dead loads is
 ///                  convex, so that every equilibrium has the least energy
 ///   current        multiplies the velocities of the water and of the tow

@@ -3,8 +3,8 @@
 #include <vector>
 
 // Macros for loops that are compiled once for each instruction set. Functions that such a loop calls must be
-// inlined, so that they are compiled for the same set. Registers are passed as `Register::V`, never as a
-// deduced type, because deduced types lose the attribute for unaligned access.
+// inlined, so that they are compiled for the same instruction set. Registers are passed as `Register::V`,
+// never as a deduced type, because deduced types lose the attribute for unaligned access.
 #define NETLOFT_INLINE [[gnu::always_inline]] inline
 #define NETLOFT_INLINED __attribute__((always_inline))  // the attribute for lambdas
 
@@ -18,7 +18,7 @@
 
 namespace netloft::wide {
 
-/// Vectors as wide as one register. They may be at any address.
+/// Vectors as wide as one register. They need not be aligned.
 struct Two {
   typedef double V __attribute__((vector_size(16), aligned(8), may_alias));
   static constexpr int kLanes = 2;

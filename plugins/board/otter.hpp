@@ -28,13 +28,13 @@ namespace netloft::boards {
 /// along the edge depends on the depth δ of the point and on the direction ĝ in which the ground passes it:
 ///   F = ¼ chord s p f (ĝ·y) y,   f = (δ/0.1 m)^n, continued by its tangent beyond 0.1 m                 (5)
 /// n is 1 in clay and 2 in sand; s is the local factor of the ground, 1 by default; p [N/m] is for
-/// calibration and zero by default. The tangent keeps the force moderate if an initial guess has boards
-/// metres deep in the ground. Ploughing does not support the board: the contact of the board with the bed
-/// belongs to elements seabed/bed, at points of its shoe.
+/// calibration and zero by default. The continuation by a tangent keeps the force moderate if an initial
+/// guess has boards metres deep in the ground. Ploughing does not support the board: the contact of the board
+/// with the bed belongs to elements seabed/bed, at points of its shoe.
 ///
-/// Source of (1)-(3): the form of FAO, Otter board design and performance (1974). Two angles of the flow in
-/// the axes of the board determine the force on a body in a uniform flow; unlike attack, heel and trim as set
-/// on a test rig, they have no singularity at working angles.
+/// Source of (1)-(3): the form of FAO, Otter board design and performance (1974). The force on a body in a
+/// uniform flow depends on two angles of the flow in the axes of the body. Unlike the attack, heel and trim
+/// of a test rig, these angles have no singularity at working angles.
 struct Otter {
   static constexpr auto stencil = NETLOFT_BODY;
   struct Parameters : solids::Solid {
@@ -64,7 +64,8 @@ struct Otter {
     static Wrench<T> force(const Parameters& p, const Data&, const Whole& whole, const Body<T>& b);
   };
 
-  /// The flow past the origin: its direction in the axes of the board (y outward), its speed, its angles (1).
+  /// The flow past the origin: its direction in the axes of the board (y outward), its speed, and its angles
+  /// by (1).
   struct Flow {
     Vec3<double> w;  // unit vector
     double speed = 0, attack = 0, sideslip = 0;
@@ -83,7 +84,8 @@ struct Coefficients {
   T at_chord, at_span;  // point of action by (3) [m]
 };
 
-/// Returns the factor i of plate.hpp (7), the effect of the bed, from the clearance of the lower edge.
+/// Returns i of plate.hpp (7), which increases the aspect ratio near the bed, for a clearance of the lower
+/// edge.
 template <class T>
 T image_in_bed(const Otter::Parameters& p, const Body<T>& b) {
   if (!b.bed.is_there) return T(0);
@@ -122,8 +124,8 @@ Coefficients<T> of_table(const Otter::Parameters& p, const Otter::Whole& t, cons
   return c;
 }
 
-/// Fraction of the coefficients that comes from the plate: 0 within the table, rising smoothly to 1 at a flow
-/// 20° beyond its edge.
+/// Fraction of the coefficients that comes from the plate: 0 within the table, rising smoothly to 1 for a
+/// flow 20° beyond its edge.
 template <class T>
 T weight_of_plate(const Otter::Whole& t, const T& alpha, const T& beta) {
   constexpr double kPassage = 0.3490658503988659;  // 20° [rad]
@@ -177,7 +179,8 @@ Wrench<T> Otter::Force::force(const Parameters& p, const Data& d, const Whole& w
 
 namespace detail {
 
-/// The factor f of ploughing by (5). `depth` is δ/0.1 m, the depth of the edge in the ground, above zero.
+/// The factor f of ploughing by (5). `depth` is δ/0.1 m, the depth of the edge in the ground; it must be
+/// positive.
 template <class T>
 T resistance(const T& depth, double power) {
   using std::pow;

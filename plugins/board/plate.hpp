@@ -15,10 +15,10 @@ namespace netloft::boards {
 ///   A → A^(cos 2χ),   tan χ = w_z/w_x                                                                    (5)
 ///   Δ = (½ − ξ₀) L K_p c/(K_p c + K_v s),   ξ₀ = ¼ A^1.25/(A^1.25 + 0.48)                                (6)
 ///   A = (1 + i) span/chord,   i falls by a cubic from 1 on the bed to 0 at a clearance of a span         (7)
-/// A is the aspect ratio, with the effect i of the bed by (7); (5) replaces it by that for a flow at the
-/// angle χ to the chord. A cubic in the 16° about α_s leads from (1) to (2). The normal force acts upstream
-/// of the middle of the plate, at the distance Δ, where L = chord cos²χ + span sin²χ is the width of the
-/// plate in the direction χ.
+/// A is the aspect ratio, increased by i near the bed, by (7); by (5), it changes for a flow at the angle χ
+/// to the chord. A cubic in the 16° about α_s leads from (1) to (2). The normal force acts upstream of the
+/// middle of the plate, at the distance Δ, where L = chord cos²χ + span sin²χ is the width of the plate in
+/// the direction χ.
 ///
 /// Sources: (1) E. C. Polhamus, NASA TN D-3767 (1966): leading-edge suction turned into normal force; K_v is
 /// that of low aspect ratios. (2) L. A. Viterna and R. D. Corrigan, DOE/NASA large wind turbine workshop
@@ -28,8 +28,8 @@ namespace netloft::boards {
 /// Lift, 1985, chapter 17): 34° for A = 1, 24° for 2, 19° for 3, 38° for slender plates. (5): a plate in a
 /// flow along its span acts as a plate of the reciprocal aspect ratio. (6): the part with K_p acts at ξ₀,
 /// within 0.004 of the vortex lattice at small angles; the part with K_v acts in the middle. (7): on the bed,
-/// a board and its mirror image form a board of twice the span; that the effect ends at a clearance of one
-/// span is a choice. The error of C_N is about 20 % near the greatest lift.
+/// a board and its mirror image form a board of twice the span; the clearance of one span, at which the
+/// effect ends, is a choice. The error of C_N is about 20 % near the greatest lift.
 template <class T>
 struct PlateForce {
   T normal;       // coefficient C_N of the force along y, positive where w_y > 0
@@ -51,7 +51,7 @@ PlateForce<T> plate_force(const Vec3<T>& w, double chord, double span, const T& 
   using std::atan, std::cos, std::exp, std::log, std::pow, std::sin, std::sqrt;
   constexpr double kVortex = 3.1, kBreakdown = 0.66322511575784526, kHalfBlend = 0.13962634015954636;
   const T square = w.x * w.x + w.z * w.z, c = sqrt(square), s = w.y < T(0) ? -w.y : w.y;
-  const bool has_way = square > T(1e-20);  // a flow along the normal has no direction in the plate
+  const bool has_way = square > T(1e-20);  // a flow along the normal has no direction within the plate
   const T cos2 = has_way ? (w.x * w.x - w.z * w.z) / square : T(0);
   const T A = exp(log((1.0 + image) * (span / chord)) * cos2);  // (5), (7)
   const T potential = (2 * M_PI) * A / (2.0 + sqrt(A * A + 4.0));

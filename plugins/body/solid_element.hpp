@@ -10,7 +10,7 @@ namespace netloft::bodies {
 ///   F = ½ ρ |W| Σ_i A_i (W·e_i) e_i     at the centre of volume                                   (1)
 ///   M = −½ ρ Σ_i B_i |Ω_i| Ω_i e_i      Ω_i [rad/s] angular velocity about e_i                    (2)
 /// A_i [m²] are the areas normal to the axes times their drag coefficients; B_i [m⁵] are the corresponding
-/// coefficients of rotation.
+/// coefficients for rotation.
 struct BodySolid {
   static constexpr auto stencil = NETLOFT_BODY;
   struct Parameters : solids::Solid {

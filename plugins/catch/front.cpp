@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kUnknowns = 10;  // nine coordinates and ξ
 
-/// The part of a triangle behind the plane by (4) of front.hpp, the normal (2) and the volume (6). They have
-/// derivatives if the number type T has them.
+/// The part of a triangle behind the plane by (4) of front.hpp, the normal (2) and the volume (6). If the
+/// number type T has derivatives, so have the results.
 template <class T>
 struct Slice {
   Slice(const Front::Parameters& p, const Front::Data& d, const Points<T, 3>& x, const T& front) {

@@ -6,8 +6,8 @@
 
 namespace netloft::catches {
 
-/// Throws std::invalid_argument if a growth, the fraction of the volume over time, is not positive at all
-/// times or is given without a volume.
+/// Throws std::invalid_argument if a growth (the fraction of the volume over time) is given without a volume,
+/// or is not positive at all times.
 inline void check_growth(const netloft_table& growth, double volume) {
   if (growth.rows == 0) return;
   if (volume == 0) throw std::invalid_argument("catch.growth needs catch.volume, the volume that grows");

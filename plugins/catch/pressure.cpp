@@ -13,8 +13,8 @@ namespace netloft::catches {
 
 namespace {
 
-constexpr int kFront = 9;           // degree of freedom of m: x of the last node
-constexpr int kAxes[] = {1, 0, 2};  // y, x, z, the order of the choices of `across`
+constexpr int kFront = 9;           // degree of freedom of m, which is x of the last node
+constexpr int kAxes[] = {1, 0, 2};  // y, x and z, in the order of the choices of `across`
 
 struct Skew {
   double at[3][3];

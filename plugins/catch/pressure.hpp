@@ -19,9 +19,9 @@ namespace netloft::catches {
 /// counter-clockwise seen from outside, else −1. Source: the trawl-gear paper, p with C_d = 1.4; (3) after
 /// Priour.
 ///
-/// The pressure is a follower force without an energy. Over a closed surface, or one with a fixed rim, the
-/// sum of (3) is the gradient of −p × volume and the sum of (4) is symmetric. A front that cuts through a
-/// cod-end is a moving rim, however, on which the forces of −p Σ x₁·(x₂×x₃)/6 would depend on the origin.
+/// The pressure is a follower force without an energy. Over a closed surface, or a surface with a fixed rim,
+/// the sum of (3) is the gradient of −p × volume, and the sum of (4) is symmetric. A front through a cod-end,
+/// however, is a moving rim, where the forces of an energy −p Σ x₁·(x₂×x₃)/6 would depend on the origin.
 ///
 /// All triangles of a part share the front m. It is the given number of `meshes`, or an unknown whose
 /// equation is that the catch has the given volume:

@@ -15,10 +15,10 @@ namespace netloft::axial {
 ///   A = ∂(T t)/∂w = k t tᵀ + g (I − t tᵀ),  k = dT/dl,  g = T/l (4)  stiffness [N/m]
 ///   A₊: A with max(g, 0) for g, positive semi-definite          (5)
 ///   M = (max(EA, EA_c)/l₀) I, upper bound of A₊ for every w     (6)
-/// EA, EA_c [N] are the stiffness in tension and in compression; l₀ [m] is the unstretched length. For l <
-/// kCollapsed l₀, w/(kCollapsed l₀) replaces the direction t, which has no value at l = 0. Source: the linear
-/// spring of the trawl-gear paper, section 2.3; for the reduced stiffness of a slack twine, Priour, A Finite
-/// Element Method for Netting (Springer 2013).
+/// EA, EA_c [N] are the stiffness in tension and in compression; l₀ [m] is the unstretched length. The
+/// direction t does not exist at l = 0; for l < kCollapsed l₀, w/(kCollapsed l₀) replaces it. Source: the
+/// linear spring of the trawl-gear paper, section 2.3; for the reduced stiffness of a slack twine, Priour, A
+/// Finite Element Method for Netting (Springer 2013).
 inline constexpr double kCollapsed = 1e-9;
 
 struct Material {
@@ -60,7 +60,8 @@ inline Block stiffness(const Bar& b, double wx, double wy, double wz, double fac
 /// Index of (row, column) of a symmetric 3 × 3 block among its six numbers.
 inline constexpr int kPlace[3][3] = {{0, 1, 3}, {1, 2, 4}, {3, 4, 5}};
 
-/// ψ of (3) for any number type. Tests compare its derivatives, by dual numbers, with the functions above.
+/// ψ of (3) for any number type. Tests compare its derivatives, computed with dual numbers, with the
+/// functions above.
 template <class T>
 T energy(const Vec3<T>& w, double l0, const Material& m) {
   const T elongation = norm(w) - l0;

@@ -49,7 +49,7 @@ void pack(const P& p, double rest_length, double parallel, Lanes& lanes, std::si
   lanes.surface[lane] = p.surface;
 }
 
-/// The N bars of an element as one Member, for solvers that take tensions as unknowns. `P` has EA and
+/// The N bars of an element as one Member, for solvers in which tensions are unknowns. `P` has EA and
 /// EA_compression of one bar.
 template <class P>
 Member member(const P& p, double rest_length, double parallel) {
@@ -88,7 +88,7 @@ inline Status add_elastic(const Lanes& p, netloft_tile& t) {
     add_metric(p, t);
     return Status::ok;
   }
-  // Every loop over the elements (lanes) contains one operation, so that compilers vectorise it.
+  // Every loop over the elements (lanes) contains only one operation, so that compilers vectorise it.
   double w[3][kLanes], inverse[kLanes], T[kLanes], k[kLanes], energy[kLanes];
   find_spans(t, w);
   const double(&wx)[kLanes] = w[0], (&wy)[kLanes] = w[1], (&wz)[kLanes] = w[2];

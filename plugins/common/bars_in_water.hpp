@@ -31,7 +31,8 @@ inline void fill_flow(const Lanes& p, const Chords& chord, const netloft_tile& t
   std::fill_n(flow.solidity, count, 0.0);
 }
 
-/// Computes row r of ½ ∂f/∂W (dc/dz)_q, the effect of a vertical motion of node q in a sheared current on f.
+/// Computes row r of ½ ∂f/∂W (dc/dz)_q: how f changes if node q moves vertically in a current that varies
+/// with depth.
 inline void find_shear(const FlowLanes& f, const netloft_tile& t, int r, int q, double* shear) {
   std::fill_n(shear, t.count, 0.0);
   if (!t.current_dz) return;
@@ -40,7 +41,7 @@ inline void find_shear(const FlowLanes& f, const netloft_tile& t, int r, int q, 
       shear[i] += 0.5 * f.d_flow[3 * r + c][i] * t.current_dz[at(3 * q + c, i)];
 }
 
-/// Computes row r of ∂f/∂t (I − t tᵀ)/l, the effect of the rotation of the bar on the drag per metre f.
+/// Computes row r of ∂f/∂t (I − t tᵀ)/l, how the drag per metre f changes if the bar rotates.
 inline void find_turn(const Chords& chord, const FlowLanes& f, std::size_t count, int r,
                       double (&turn)[3][kLanes]) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -101,7 +102,7 @@ inline Status add_drag(const Lanes& p, const netloft_bound_law& law, netloft_til
 /// Magnitude of (3) [N]; zero in still water.
 inline void drag_of(const Lanes& p, const netloft_bound_law& law, const netloft_tile& t, double* values) {
   std::fill_n(values, t.count, 0.0);
-  if (!law.evaluate) return;  // still water: the part has no law
+  if (!law.evaluate) return;  // in still water, the part has no law
   const Chords chord(t, p.l0);
   FlowLanes f;
   fill_flow(p, chord, t, f);

@@ -13,11 +13,11 @@ namespace netloft {
 /// R and P are the polynomials of fdlibm (Sun Microsystems 1993, e_log.c, e_exp.c), and ln 2 consists of two
 /// parts. Both functions are within one unit in the last place. Plugins are compiled so that sums and
 /// products are rounded one by one (-ffp-contract=off); a number therefore has the same bits in any lane, in
-/// the remainder of a loop and on any processor. Arguments are not checked; callers bound them or discard the
-/// result:
+/// a loop or in its remainder, and on any processor. Arguments are not checked; callers have to bound them or
+/// to discard the result:
 ///   ln x    normal numbers above zero. Zero and subnormal numbers give −709.1; negative and infinite numbers
 ///           and NaN give finite numbers without a meaning, such as ln(−1) = 1420 and ln(NaN) = 710.
-///   eˣ      |x| < 708. Beyond, the result is not 0 or infinity but any number, also a negative one or NaN.
+///   eˣ      |x| < 708. Beyond that, the result may be any number, even negative or NaN.
 namespace lane {
 
 inline constexpr double kLn2High = 6.93147180369123816490e-01, kLn2Low = 1.90821492927058770002e-10;

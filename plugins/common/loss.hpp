@@ -12,11 +12,11 @@ namespace netloft::axial {
 ///   s(y) = y² (3 − 2y) between 0 and 1, constant beyond                                    (2)
 /// η [1] is the loss factor: the fraction of its energy that a taut rope loses per radian when it oscillates
 /// at the frequency f₀ [Hz]. Its amplitude falls by the factor exp(−π η) per period. At other frequencies f
-/// the loss factor of (1) is η f/f₀, whereas that of fibres and wires is nearly constant; f₀ should be the
-/// middle of the relevant band. A slack rope has no damping. Source: Kelvin and Voigt's solid, as in Clough
-/// and Penzien, Dynamics of Structures. The gradual onset over the strain ε₁ is not in the source: if the
-/// force jumped, some states would have no equilibrium. ε₁ is small compared with the strains of a rope in
-/// use, 1e-3 and more, but large enough for an implicit step to resolve the onset.
+/// the loss factor of (1) is η f/f₀, whereas that of fibres and wires is nearly constant; f₀ should be in the
+/// middle of the frequencies that matter. A slack rope has no damping. Source: Kelvin and Voigt's solid, as
+/// in Clough and Penzien, Dynamics of Structures. The gradual onset over the strain ε₁ is not in the source:
+/// if the force jumped, some states would have no equilibrium. ε₁ is small compared with the strains of a
+/// rope in use, 1e-3 and more, but large enough for an implicit step to resolve the onset.
 inline constexpr double kFullLossStrain = 1e-4;
 
 /// Computes η EA/(2π f₀) of one bar [N s], which is l₀ times the greatest c of (1).

@@ -9,7 +9,8 @@
 
 namespace netloft::solids {
 
-/// A symmetric tensor, given by principal values and axes; positive semi-definite if no value is negative.
+/// A symmetric tensor, given by principal values and axes; it is positive semi-definite if no value is
+/// negative.
 struct Tensor {
   Vec3<double> values;
   std::array<Vec3<double>, 3> axes;
@@ -43,7 +44,7 @@ struct Solid {
   // added inertia [rad].
   double inertia_turned_x = 0, inertia_turned_y = 0, inertia_turned_z = 0;
   double added_turned_x = 0, added_turned_y = 0, added_turned_z = 0;
-  double added_at_x = 0, added_at_y = 0, added_at_z = 0;  // point at which added mass has no moment [m]
+  double added_at_x = 0, added_at_y = 0, added_at_z = 0;  // point about which added mass has no moment [m]
 };
 
 struct Sided {
@@ -72,8 +73,9 @@ struct Weight {
 /// inertia, added mass and added inertia:
 ///   F = −m a_c at the centre of mass,  M = −R (J Ω̇ + Ω×J Ω)                                     (2)
 ///   F = −R (A u̇ + Ω×A u) at a,  M = −R (B Ω̇ + Ω×B Ω + u×A u)                                    (3)
-/// (H. Lamb, Hydrodynamics, 1932, §§ 121-124: G. Kirchhoff's equations). u is the velocity in the axes of the
-/// scene, not relative to the water: coefficients of lift and moment include the effect of a steady flow.
+/// (H. Lamb, Hydrodynamics, 1932, §§ 121-124: G. Kirchhoff's equations). u is the velocity over the ground,
+/// not relative to the water, because coefficients of lift and moment already include the effect of a steady
+/// flow.
 struct Inertia {
   template <class T>
   static Wrench<T> force(const Solid& p, const Sided& d, const Body<T>& b) {

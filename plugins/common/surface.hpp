@@ -7,8 +7,8 @@
 
 namespace netloft::surface {
 
-/// Drag and buoyancy that twines and ropes lose above the surface of the water. Each node of an element is a
-/// cube of side h, of which the part below the surface is wet:
+/// Drag and buoyancy that twines and ropes lose above the surface of the water. Each node of an element is
+/// taken as a cube of side h, whose part below the surface is wet:
 ///   h³ = V/N,  w = clamp((h/2 − (z − η))/h, 0, 1)    wet fraction    (1)
 ///   r_p = −σ (1 − w_p) r_p^drag                drag                (2)
 ///   r_p = σ (1 − w_p) (V/N) ρ_w g e_z          buoyancy of bars    (3)
@@ -36,8 +36,8 @@ inline double above_surface(const netloft_tile& t, int node, std::size_t i) {
   return t.x[at(3 * node + 2, i)] - (surface ? surface[at(node, i)] : 0);
 }
 
-/// Whether a node loses no drag or buoyancy: its cube is under water or σ is 0. `Lanes` has volume and
-/// surface.
+/// Whether a node loses no drag and no buoyancy, because its cube is under water or σ is 0. `Lanes` has
+/// volume and surface.
 template <int N, class Lanes>
 bool is_wet(const Lanes& p, const netloft_tile& t, int node, std::size_t i) {
   const double z = above_surface(t, node, i);

@@ -19,8 +19,8 @@ namespace netloft::flows {
 /// (2) divided by V is the balance of thrust and drag along the current; with the factor V, it is regular in
 /// still water. By Green's theorem, the sum of V³ ΔA over the rim is the integral of V³ over the mouth, also
 /// if the current changes with depth. In half a gear, the rim ends in the plane of symmetry y = 0, which adds
-/// nothing to the area; both sides of (2) are then halves. The wings and the ropes of the net meet the water
-/// before it is slowed, but their drag slows the water that enters the mouth, too.
+/// nothing to the area; both sides of (2) are then halves. The wings and ropes ahead of the mouth are in
+/// water that is not slowed yet, but their drag counts in (2), too.
 /// Sources: (1) to (3) for a ≤ 0.4 H. Glauert, Airplane propellers, in: W. F. Durand (ed.), Aerodynamic
 /// Theory IV, 1935; beyond, the empirical branch of M. L. Buhl, A new empirical relationship between thrust
 /// coefficient and induction factor for the turbulent windmill state, NREL/TP-500-36834, 2005, without tip

@@ -5,7 +5,7 @@ namespace netloft::hydro {
 
 namespace {
 
-constexpr double kStillSpeed = 1e-150;  // speed below which its square is zero [m/s]
+constexpr double kStillSpeed = 1e-150;  // speed below which the square of the speed is zero [m/s]
 
 struct Factors {
   LaneNumber across, along, knots;  // k, a, m as values, and g, h, n as slopes

@@ -21,13 +21,13 @@ namespace netloft::hydro {
 ///   ∂F/∂W = r ∂F/∂U                                                                         (8)
 /// W, r, t, D and ρ are those of crossflow.hpp, ν [m²/s] is the viscosity. K [1] frontal area of the knots
 /// over that of the twines, κ [1] diameter of a knot over that of the twine; one knot belongs to two bars of
-/// length l, so that K = π κ² D/(8 l). At small angles the drag of twines is small, but that of knots is not,
-/// because it has no direction. In the tank of a model, friction along twines is several times that at sea.
-/// Sources: (3), (4) Choo and Casarella 1971, as in reynolds.hpp, (4) for 30 < Re < 10⁴; (5) Morrison 2013.
-/// Knots as spheres: Fredheim, Current forces on net structures, NTNU 2005. Deviations: (4) as published uses
-/// s for e; at s = 0 it has no friction and no derivative. With ε = 0.1, a is constant within 6° of the
-/// twine; with the 1 in Re², friction is linear in the velocity near rest. The wake of other twines enters
-/// only through r.
+/// length l, so that K = π κ² D/(8 l). At small angles to the flow, twines have little drag, but knots have
+/// as much as at any angle. At the Reynolds numbers of models in tanks, friction along twines is several
+/// times that at sea. Sources: (3), (4) Choo and Casarella 1971, as in reynolds.hpp, (4) for 30 < Re < 10⁴;
+/// (5) Morrison 2013. Knots as spheres: Fredheim, Current forces on net structures, NTNU 2005. Deviations:
+/// (4) as published uses s for e; at s = 0 it has no friction and no derivative. With ε = 0.1, a is constant
+/// within 6° of the twine; with the 1 in Re², friction is linear in the velocity near rest. The wake of other
+/// twines enters only through r.
 struct NettingTwine {
   static constexpr auto kind = NETLOFT_TWINE_LAW;
   struct Parameters {

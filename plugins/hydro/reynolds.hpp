@@ -13,10 +13,10 @@ namespace netloft::hydro {
 /// Source: Choo and Casarella 1971, Hydrodynamic resistance of towed cables, J. Hydronautics 5(4), 126–131.
 /// Deviation from the source: φ steps by 1.7 % at Re = 1 and by 1.1 % at 30; within a factor of 1.25 of these
 /// numbers, the formulas are blended (smooth step in ln Re), which makes φ continuously differentiable. Below
-/// Re = 0.1, φ is continued along its tangent, so that drag is linear in the velocity. Above 10⁵, (3)
-/// continues, because ropes are too rough for a dependable drag crisis. The source's formula for friction
-/// along a cable gives a force over a velocity, not a coefficient; netting_twine.hpp uses it. All formulas
-/// are joined without branches, so that loops over flows vectorise.
+/// Re = 0.1, φ is continued along its tangent, so that drag is linear in the velocity. (3) is used above 10⁵,
+/// too, because ropes are too rough for a well-defined drag crisis. The source's formula for friction along a
+/// cable gives a force over a velocity, not a coefficient; netting_twine.hpp uses it. All formulas are joined
+/// without branches, so that loops over flows vectorise.
 inline constexpr double kCreepingBelow = 0.1, kBlend = 1.25;
 
 /// Returns φ by (1) for Re up to kBlend. Above, it returns a constant that is not used, because (1) has a
@@ -56,8 +56,9 @@ T choo_casarella_phi(const T& reynolds) {
   return joined(slow_phi(reynolds), 1.1 * Re + 4.0 * sqrt(Re), Re, 30);  // (3)
 }
 
-/// φ = Re C_n of a cylinder after Takagi et al. 2004. They assume that twines of netting below a Reynolds
-/// number of 200, such as those of models, have a lower and steeper drag than a single cylinder:
+/// φ = Re C_n of a cylinder after Takagi et al. 2004. They assume that at Reynolds numbers below 200, as in
+/// tests of models, the drag of twines in netting is lower than that of a single cylinder and varies more
+/// steeply:
 ///   φ = Re 10^0.7 Re^−0.3                                               11 < Re < 200      (5)
 ///   φ = 1.2 Re                                                          200 < Re           (6)
 /// Source: Takagi, Shimizu, Suzuki, Hiraishi and Yamamoto 2004, Validity and layout of "NaLA": a net
@@ -76,7 +77,7 @@ T takagi_phi(const T& reynolds) {
 
 enum class Cylinder : std::int64_t { choo_casarella, takagi };
 
-/// Calls visit(φ) with the function φ(Re) of a cylinder, so that this function is chosen once, outside the
+/// Calls visit(φ) with the function φ(Re) of a cylinder, so that the function is chosen only once, before the
 /// loop over flows.
 template <class Visit>
 auto with_cylinder_phi(std::int64_t cylinder, const Visit& visit) {

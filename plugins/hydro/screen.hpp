@@ -47,7 +47,7 @@ inline constexpr double kGrazing = 0.05;
 
 /// cos θ, smoothed at grazing incidence (θ near 90°): c² (2ε − c)/ε² for c < ε = kGrazing.             (7)
 ///
-/// It is exact at 90° and below 87°; in between C_D is lower by at most 0.0075 of its range.
+/// It is exact at 90° and below 87°. Between these angles, it lowers C_D by at most 0.0075 of its range.
 template <class T>
 T rounded(const T& c) {
   return c < T(kGrazing) ? c * c * (2 * kGrazing - c) / (kGrazing * kGrazing) : c;
@@ -63,7 +63,7 @@ T held(const T& x, double lo, double hi, double d) {
   return T(hi);
 }
 
-/// Limits the solidity to `hi`, because none of the formulas was measured with denser netting.
+/// Limits the solidity to `hi`, because no formula was measured with denser netting.
 template <class T>
 T held_solidity(const T& S, double hi) {
   return held(S, -1, hi, 0.02);
@@ -165,8 +165,8 @@ struct KnottedModel {
   }
 };
 
-/// Factor on the coefficients of a screen at a Reynolds number Re = u D/ν that differs from that of the
-/// measurements, Re₀:
+/// Factor on the coefficients of a screen if the Reynolds number Re = u D/ν differs from Re₀, that of the
+/// measurements:
 ///   C_n(Re)/C_n(Re₀)                                                     (15)
 /// C_n is the drag coefficient of a cylinder by Choo and Casarella 1971, or by Takagi et al. 2004
 /// (reynolds.hpp). The factor is 1 if Re₀ = 0. It assumes that a twine in a screen depends on the Reynolds

@@ -39,7 +39,7 @@ void add_force(const Triangle::Lanes& p, const Meshes& m, const Function& f, std
   }
 }
 
-/// Fills in ∂²E/∂U² by (4) of angle.hpp, or ∂²E/∂V² if `own` are the twines along V.
+/// Fills in ∂²E/∂U² by (4) of angle.hpp, or ∂²E/∂V² if `own` contains the twines along V.
 void fill_own(const Twines& own, const Twines& other, const Meshes& m, const Function& f, double cu,
               std::uint32_t count, double (&__restrict out)[6][kLanes]) {
   for (std::size_t i = 0; i < count; ++i) {

@@ -11,9 +11,9 @@ namespace netloft::priour {
 
 namespace {
 
-/// The force F of the water on every element, its derivatives with respect to the flow W (`flow`), and those
-/// with respect to the position of each corner (`x`), which leave out the shear of the current. The first
-/// contribution sets these numbers, later ones add to them.
+/// The force F of the water on every element, its derivatives with respect to the flow W (`flow`), and with
+/// respect to the position of each corner (`x`), without the shear of the current. The first contribution
+/// sets these numbers, later ones add to them.
 struct Force {
   double F[3][kLanes], flow[9][kLanes], x[3][9][kLanes];
 };
@@ -127,8 +127,8 @@ void compute(const Family<Triangle>& family, const netloft_tile& t, const Slowin
   add_twines<Turn::later>(law, p, p.b, t, f, out);
 }
 
-/// Computes ⅓ F_W ∂c/∂x_q in row r, for corner q and column `axis`; c is the velocity of the water at the
-/// triangle and F_W the derivative of the force by the flow.
+/// Computes entry (r, axis) of ⅓ F_W ∂c/∂x_q for corner q, where c is the velocity of the water at the
+/// triangle and F_W the derivative of the force with respect to the flow.
 void find_shear(const Force& F, const netloft_tile& t, const Slowing* slowed, int r, int q, int axis,
                 double* shear) {
   std::fill_n(shear, t.count, 0.0);
@@ -143,8 +143,7 @@ void find_shear(const Force& F, const netloft_tile& t, const Slowing* slowed, in
   }
 }
 
-/// Computes ∂F/∂x of every element in row r, for corner q and column c, with the factors cu and cv of the
-/// tile.
+/// Computes entry (r, c) of ∂F/∂x for corner q of every element, with the factors cu and cv of the tile.
 void find_slope(const Force& F, const Slowing* slowed, const netloft_tile& t, int r, int q, int c,
                 double* slope) {
   double shear[kLanes] = {};
@@ -153,7 +152,7 @@ void find_slope(const Force& F, const Slowing* slowed, const netloft_tile& t, in
   for (std::size_t i = 0; i < t.count; ++i) slope[i] = t.cu * (x[i] + shear[i]) - t.cv * flow[i] / 3;
 }
 
-/// Adds the tangent, whose rows are the same for all three corners.
+/// Adds the tangent. Its rows are the same for all three corners.
 void add_tangent(const Force& F, netloft_tile& t) {
   const double third = -1.0 / 3, cu = t.cu, cv = t.cv;
   const std::size_t count = t.count;
@@ -177,7 +176,8 @@ void add_tangent(const Force& F, netloft_tile& t) {
 }
 
 /// Adds the tangent in slowed water minus the tangent in undisturbed water. The difference is computed first,
-/// because adding one tangent and subtracting the other would leave rounding errors of their size.
+/// because adding one and subtracting the other would leave rounding errors as large as those of the
+/// tangents.
 void add_change_of_tangent(const Force& in_slowed, const Slowing& slowed, const Force& in_all,
                            netloft_tile& t) {
   double with[kLanes] = {}, without[kLanes] = {};
@@ -232,7 +232,7 @@ Status DryDrag::tile(const Family<Triangle>& family, netloft_tile& t) {
 
 void Drag::output(const Family<Triangle>& family, const netloft_tile& t, double* values) {
   std::fill_n(values, t.count, 0.0);
-  if (!family.law(0).evaluate) return;  // a part in still water has no law
+  if (!family.law(0).evaluate) return;  // in still water, a part has no law
   const Slowing slowed(family.lanes(t), t, family.law(0).kind);
   Force F;
   compute(family, t, slowed.acts ? &slowed : nullptr, F);

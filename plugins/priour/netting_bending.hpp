@@ -12,10 +12,11 @@ namespace netloft::priour {
 ///   E = −κ L(w),  w = 1 − ¼‖n₁ − n₂‖²,  L = ln w,  κ = 4 k b/(h₁ + h₂)                energy [J]     (3)
 ///   dE/dφ = k b/R,  R = (h₁ + h₂)/(4 tan(φ/2))          φ the turning angle, 0 in flat netting       (4)
 /// With δ = 0, n_i would be the unit normal and w = (1 + cos φ)/2. When meshes close, however, normals can
-/// turn without bending the netting; therefore n_i fades below 1/1000 of the unstretched area. This changes E
-/// by 1e-6 in open meshes, and by 1 % in meshes with 1/100 of the unstretched area. Netting that is drawn
-/// together in a plane can turn triangles over: φ passes from 0 to π, where ln w is infinite. Therefore,
-/// below w₀ = kFolded (φ above 176.4°), L is the Taylor polynomial ln w₀ + z − z²/2 with z = w/w₀ − 1 (5).
+/// turn although the netting does not bend; therefore n_i becomes small below 1/1000 of the unstretched area.
+/// This changes E by 1e-6 in open meshes, and by 1 % in meshes with 1/100 of the unstretched area. If netting
+/// is drawn together in a plane, triangles can turn over: φ changes from 0 to π, where ln w is infinite.
+/// Therefore, below w₀ = kFolded (φ above 176.4°), L is the Taylor polynomial ln w₀ + z − z²/2 with z = w/w₀
+/// − 1 (5).
 ///
 /// b [m] is the unstretched edge; h₁, h₂ [m] are the unstretched altitudes over it, which correspond to the
 /// two bars in the bending of a rope. k [N m] is the bending stiffness per metre of edge: the sum over both

@@ -15,8 +15,8 @@ namespace netloft::priour {
 /// at small angles. α₀ [rad] is the half angle of the unloaded mesh. For α₀ = 0 the energy is smooth for
 /// closed meshes, but (2) and (3) are 0/0 there; (4) replaces them for e < kSeries. E has a cusp at α = π/2
 /// and, unless α₀ = 0, at α = 0. Near a cusp, states with s < kCusp are outside the domain; contact of knots
-/// prevents them. Source: the trawl-gear paper, eq. (3); Priour 2001. Other programs use half of (1), or 2
-/// cos α times the couple.
+/// prevents them. Source: the trawl-gear paper, eq. (3); Priour 2001. Other programs use half of (1), or a
+/// couple that is 2 cos α times as large.
 struct Opening {
   static constexpr double kSeries = 0.1, kCusp = 1e-8;
 

@@ -4,8 +4,8 @@
 
 namespace netloft::priour {
 
-/// Computes the vector Σ c_p x_p of a bar of every element, triangle.hpp (2) or (3) [m]. The positions are x
-/// + x_low, where x_low holds digits beyond those of a double; a tile may lack x_low.
+/// Computes the vector Σ c_p x_p of a bar, triangle.hpp (2) or (3), for every element [m]. The positions are
+/// x + x_low, where x_low holds digits beyond those of a double; a tile may lack x_low.
 inline void find_spans(const netloft_tile& t, const double (&c)[3][kLanes],
                        double (&__restrict w)[3][kLanes]) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -23,8 +23,8 @@ inline void find_spans(const netloft_tile& t, const double (&c)[3][kLanes],
   }
 }
 
-/// Unit vector and 1/length of a bar of one direction, for every element. For bars shorter than kCollapsed
-/// l₀, both are the finite substitutes of axial.hpp. `c` is a or b of triangle.hpp (2), (3).
+/// Unit vector and 1/length of a bar of one direction, for every element. If a bar is shorter than kCollapsed
+/// l₀, both are finite substitutes, as in axial.hpp. `c` is a of triangle.hpp (2) or b of (3).
 struct Twines {
   Twines(const netloft_tile& tile, const double (&c)[3][kLanes], const double (&l0)[kLanes]) {
     find_spans(tile, c, t);

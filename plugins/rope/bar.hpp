@@ -41,7 +41,7 @@ struct Bar {
   /// table, the rate is that before the row.
   static double growth_at(const netloft_table& table, double time);
   /// Returns the numbers of the bars at the time of the tile: `lanes` itself if no rope changes its length,
-  /// otherwise `room`, filled with the lengths (2).
+  /// otherwise `room`, which is filled with the lengths (2).
   static const Lanes& now(const Lanes& lanes, const netloft_tile& t, Lanes& room);
   /// The density that gives the weight of a rope [kg/m3]: (3), or `density` if no weight in water is given.
   static double density_by_weight(double weight_in_water, double density, double diameter,
@@ -50,7 +50,7 @@ struct Bar {
   static void check(const Parameters& p, const Data& d);
   static void pack(const Parameters& p, const Data& d, Lanes& lanes, std::size_t lane);
   static axial::Bar stretch(const Parameters& p, const Data& d, const State<2>& s);
-  /// The bar for solvers that take tensions as unknowns; at constant tension, its stiffness is zero.
+  /// The bar for solvers in which tensions are unknowns. At constant tension, its stiffness is zero.
   static std::array<Member, 1> members(const Parameters& p, const Data& d, double time);
 
   struct Elastic {

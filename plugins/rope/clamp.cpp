@@ -9,8 +9,8 @@ namespace netloft::rope {
 
 namespace {
 
-constexpr double kInLine = 1e-9;          // sin φ below which the bars are in line
-constexpr double kFoldedAtClamp = 1e-12;  // (1 + cos δ)/2 below which they are folded
+constexpr double kInLine = 1e-9;          // value of sin φ below which the bars are in line
+constexpr double kFoldedAtClamp = 1e-12;  // value of (1 + cos δ)/2 below which they are folded
 
 /// E and its derivatives with respect to φ [J].
 OfCosine over_angle(const Clamp::Parameters& p, const Clamp::Data& d, double delta) {

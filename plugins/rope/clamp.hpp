@@ -12,7 +12,7 @@ namespace netloft::rope {
 ///   E = (2 EI/(L₁L₂)) (L₁ + L₂ − √Q),  Q = L₁² + L₂² + 2 L₁L₂ cos δ                              (3)
 ///   dE/dc = −E_φ/s,  d²E/dc² = E_φφ/s² − E_φ c/s³,  c = cos φ,  s = sin φ                         (4)
 /// EI [N m²] is the bending stiffness, L₁ and L₂ [m] are the unstretched bars, subscripts φ are derivatives.
-/// The parameter `curvature` chooses (2) or (3), which for β = 0 are (1) and (3) of rope_bending.hpp. While
+/// The parameter `curvature` chooses (2) or (3), which are (1) and (3) of rope_bending.hpp if β = 0. While
 /// the bars are in line, the plane in which a clamp with β > 0 bends them is unknown, and the clamp exerts no
 /// force. Bars folded back on each other are outside the domain.
 struct Clamp {

@@ -16,7 +16,7 @@ namespace netloft::rope {
 /// plane has passed through its image: both are outside the domain.
 struct Mirror {
   static constexpr auto stencil = NETLOFT_BAR;
-  static constexpr double kFolded = 1e-9;  // q below which the bar is folded onto its image
+  static constexpr double kFolded = 1e-9;  // value of q below which the bar is folded onto its image
   enum Curvature : std::int64_t { of_bars, of_nodes };
 
   struct Parameters {

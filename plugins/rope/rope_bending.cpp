@@ -7,7 +7,7 @@ namespace netloft::rope {
 
 namespace {
 
-constexpr double kFolded = 1e-12;  // (1 + c)/2 below which a rope is folded back on itself
+constexpr double kFolded = 1e-12;  // value of (1 + c)/2 below which a rope is folded back on itself
 
 OfCosine energy_of(const Bending::Parameters& p, const Bending::Data& d, const Turn& q) {
   if (p.curvature == Bending::of_bars) {  // (1)

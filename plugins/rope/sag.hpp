@@ -6,16 +6,15 @@
 
 namespace netloft::rope {
 
-/// The deformation of a rope within a bar, sag across the chord and uneven stretch along it, lowers the
-/// energy of the rope. Straight bars with lumped weights neglect this part of the energy, which is to leading
-/// order
+/// A rope deforms within a bar: it sags across the chord and stretches unevenly along it. This lowers its
+/// energy by an amount that straight bars with lumped weights neglect. To leading order, it is
 ///   E = −w² l₀² l cos²φ / (24 T̃) − w² l₀³ sin²φ / (24 EA),  T̃ = √(T² + (w l₀)²)               (1)
 /// w [N/m] weight in water of the unstretched rope, l₀, l [m] unstretched and current length of the bar, φ
-/// the angle of the chord to the horizontal, T the tension of the straight bar by axial.hpp (2); T̃ keeps (1)
-/// finite for a slack rope. With (1), the error of a hanging rope is of order h⁴ in the length h of a bar,
-/// instead of h². Do not use (1) if drag bends the rope as much as weight does: it does not include drag.
-/// Source: the energy of a taut string under the transverse load q, −q² l³/(24 T) (Irvine, Cable Structures,
-/// MIT Press 1981, ch. 2).
+/// the angle of the chord to the horizontal, T the tension of the straight bar by axial.hpp (2); with T̃
+/// instead of T, (1) stays finite for a slack rope. With (1), the error of a hanging rope is of order h⁴ in
+/// the length h of a bar, instead of h². Do not use (1) if drag bends the rope as much as weight does: it
+/// does not include drag. Source: the energy of a taut string under the transverse load q, −q² l³/(24 T)
+/// (Irvine, Cable Structures, MIT Press 1981, ch. 2).
 struct Sag {
   template <class T>
   static T energy(const Bar::Parameters& p, const Bar::Data& d, const Water& water, const Points<T, 2>& x) {

@@ -84,9 +84,9 @@ Status Plane::Contact::tile(const Family<Plane>& family, netloft_tile& t) {
 
 namespace {
 
-/// The friction (4)–(7) of plane.hpp for one node on the bed. After sliding, (7) places the anchor where (5)
-/// equals (6) up to rounding. Such a node counts as sticking; otherwise rounding would decide which nodes of
-/// a line at rest stick.
+/// The friction (4)–(7) of plane.hpp for one node on the bed. After sliding, (7) places the anchor such that
+/// (5) equals (6) up to rounding. A node with such an anchor counts as sticking; otherwise rounding would
+/// decide which nodes of a line at rest stick.
 struct Hold {
   double n[3], unit[3];       // normal n, and direction d̂
   double way, limit, spring;  // distance |d|, largest force μ N, stiffness κ L
@@ -188,7 +188,7 @@ void drag_tile(const Plane::Lanes& p, netloft_tile& t) {
       if (t.force) t.force[at(axis, i)] += d.limit * d.slip.h * d.w[axis];  // (9)
       if (state_new) state_new[at(axis, i)] = t.x[at(axis, i)];
     }
-    if (state_new) state_new[at(3, i)] = 0;  // no past step, so no anchor
+    if (state_new) state_new[at(3, i)] = 0;  // there is no past step and therefore no anchor
     if (t.tangent) add_tangent(d, t.cu, t.cv, i, t.tangent);
   }
 }

@@ -9,8 +9,8 @@ namespace {
 
 using Indices = std::vector<std::int32_t>;
 
-/// For each vertex, by place, the places of its earlier neighbours: the rows of the matrix below the
-/// diagonal.
+/// For each vertex, its neighbours that come before it in the order: the rows of the matrix below the
+/// diagonal. Vertices are named by their places in the order.
 class EarlierNeighbours {
  public:
   EarlierNeighbours(const NodeGraph& graph, std::span<const std::int32_t> order)
@@ -53,7 +53,8 @@ EliminationTree make_elimination_tree(const NodeGraph& graph, std::span<const st
   const EarlierNeighbours neighbours(graph, order);
   EliminationTree tree{Indices(order.size(), -1), Indices(order.size(), 1)};
   Indices row(order.size(), -1);  // the last row of L with an entry in each column
-  // Row k of L has entries in the columns on the ways from its neighbours up the tree, as far as it is built.
+  // Row k of L has entries in all columns on the paths from its neighbours up the part of the tree that
+  // exists already.
   for (std::int32_t k = 0; k < graph.size; ++k) {
     row[k] = k;
     for (std::int32_t column : neighbours.of(k))
@@ -71,14 +72,15 @@ std::vector<std::int32_t> postorder(const EliminationTree& tree) {
   Indices by_count(tree.parent.size());
   std::iota(by_count.begin(), by_count.end(), 0);
   std::ranges::stable_sort(by_count, {}, [&](std::int32_t k) { return tree.count[k]; });
-  // The children of each vertex, and the roots at the end, as lists that begin with the largest.
+  // The children of each vertex, as linked lists that begin with the largest child; the last list has the
+  // roots.
   Indices first(tree.parent.size() + 1, -1), next(tree.parent.size(), -1);
   for (const std::int32_t k : by_count) {
     std::int32_t& head = first[tree.parent[k] < 0 ? size : tree.parent[k]];
     next[k] = head;
     head = k;
   }
-  // Parents before children, and of the children the largest first, is the reverse of what is wanted.
+  // This visits parents before children, and the largest child first: the reverse of the wanted order.
   Indices order, open;
   for (std::int32_t root = first[size]; root >= 0; root = next[root]) open.push_back(root);
   std::ranges::reverse(open);

@@ -12,20 +12,20 @@ namespace netloft {
 /// Appl. 11 (1990) 134). Vertices are named by their places in this order.
 struct EliminationTree {
   std::vector<std::int32_t>
-      parent;  // first vertex after it to which a vertex is coupled when it is eliminated; -1: none
-  std::vector<std::int32_t>
-      count;  // vertices to which it is coupled then, with itself: entries of its column of L
+      parent;  // the first later vertex to which a vertex is coupled when it is eliminated; -1: none
+  std::vector<std::int32_t> count;  // number of entries in the column of L: the later vertices coupled to the
+                                    // vertex then, and itself
 
   /// Operations of a Cholesky factorisation if every vertex had one unknown.
   double flops() const;
 };
 
-/// `order[k]` is the vertex that is eliminated as the k-th. The time is that of the entries of L.
+/// `order[k]` is the k-th vertex to be eliminated. The time is proportional to the number of entries of L.
 EliminationTree make_elimination_tree(const NodeGraph& graph, std::span<const std::int32_t> order);
 
-/// An order of the vertices of a tree in which each subtree is in one piece, children before parents, the
-/// child with the largest column last. With it, the fill stays the same, and a stack holds what is passed
-/// from children to parents.
+/// An order of the vertices of a tree in which every subtree is contiguous, children come before parents, and
+/// the child with the largest column comes last. The fill is the same as before, and the data that children
+/// pass to parents can be kept on a stack.
 std::vector<std::int32_t> postorder(const EliminationTree& tree);
 
 }  // namespace netloft

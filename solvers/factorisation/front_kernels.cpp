@@ -11,7 +11,8 @@ namespace {
 
 using wide::Eight, wide::Four, wide::Two;
 
-// A pivot of at least this fraction of the norm of the entries below it is accepted without exchange of rows.
+// If a pivot is at least this fraction of the norm of the entries below it, it is accepted without exchanging
+// rows.
 constexpr double kSuits = 0.1;
 constexpr std::ptrdiff_t kBlock = kPivotBlock;
 
@@ -71,9 +72,9 @@ NETLOFT_INLINE void subtract_product(std::ptrdiff_t m, std::ptrdiff_t n, std::pt
   if (j < n) subtract_columns<Register, 1>(m, k, a, lda, b, c + j * ldc, ldc);
 }
 
-/// Computes X ← X S T⁻¹ row by row in the registers, for a diagonal S and a unit upper triangular T of kWidth
-/// columns. Adds the squares of all numbers of the new X to `squares`. The number of rows is rounded up to a
-/// multiple of kTileRows.
+/// Computes X ← X S T⁻¹ row by row in the registers, with a diagonal S and a unit upper triangular T of
+/// kWidth columns. Adds the squares of all numbers of the new X to `squares`. The number of rows is rounded
+/// up to a multiple of kTileRows.
 template <class Register, int kWidth>
 NETLOFT_INLINE void solve_rows_of_block(std::ptrdiff_t rows, double* x, std::ptrdiff_t stride, Factor T,
                                         const double* S, double& squares) {
@@ -115,8 +116,8 @@ NETLOFT_INLINE void solve_block(std::ptrdiff_t width, std::ptrdiff_t rows, doubl
   }
 }
 
-/// Ones between zeros, from which kernels read masks of kTileRows numbers. A mask that begins in the first
-/// zeros ends in ones; a mask that begins in the ones ends in zeros.
+/// Ones between zeros, from which kernels read masks of kTileRows numbers: zeros followed by ones, or ones
+/// followed by zeros.
 constexpr double kOnesBetween[3 * kTileRows] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1,
                                                 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0};
 
@@ -134,8 +135,8 @@ struct OwnRows {
   const double *beyond, *before;
 };
 
-/// Whether entry k of a column can be the pivot without exchange of rows: whether it is large enough compared
-/// with the entries below it before row n.
+/// Whether entry k of a column can be the pivot without exchanging rows, because it is large enough compared
+/// with the entries below it, down to row n.
 template <class Register>
 NETLOFT_INLINE bool is_pivot(const double* column, std::ptrdiff_t begin, std::ptrdiff_t k, std::ptrdiff_t n) {
   using V = typename Register::V;
@@ -174,7 +175,7 @@ NETLOFT_INLINE void subtract(double a, const double* x, std::ptrdiff_t count, do
 
 /// Computes a column of L below its pivot k, in the rows before n, and subtracts its contribution from the
 /// following columns before `end`. All pivots of a block use the same tiles of rows, so that the processor
-/// reads a tile with the width with which it was written. Returns one over the pivot.
+/// never reads a tile with another width than it wrote it. Returns one over the pivot.
 template <class Register>
 NETLOFT_INLINE double eliminate_column(double* left, std::ptrdiff_t stride, std::ptrdiff_t begin,
                                        std::ptrdiff_t k, std::ptrdiff_t n, std::ptrdiff_t end) {
@@ -198,9 +199,9 @@ NETLOFT_INLINE double eliminate_column(double* left, std::ptrdiff_t stride, std:
   return reciprocal;
 }
 
-/// Eliminates pivot k of the block that begins at `begin`, within the rows of A₁₁: exchanges its row,
-/// computes its column of L and updates the columns after it before `end`. Returns one over the pivot, or
-/// zero if the pivot is not accepted.
+/// Eliminates pivot k of the block that begins at `begin`, within the rows of A₁₁: exchanges rows if
+/// necessary, computes column k of L, and updates the columns after k and before `end`. Returns one over the
+/// pivot, or zero if the pivot is not accepted.
 template <class Register>
 NETLOFT_INLINE double eliminate_pivot(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t k,
                                       std::ptrdiff_t end, bool positive, std::int32_t* exchanged) {
@@ -215,8 +216,8 @@ NETLOFT_INLINE double eliminate_pivot(const FrontPanels& f, std::ptrdiff_t begin
   return eliminate_column<Register>(f.left, stride, begin, k, n, end);
 }
 
-/// Computes L₂₁ (front_kernels.hpp (1)) in the columns from `begin` to `end`. S are the reciprocals of their
-/// pivots. Returns the sum of the squares of these numbers of L₂₁.
+/// Computes L₂₁ (front_kernels.hpp (1)) in the columns from `begin` to `end`. S contains the reciprocals of
+/// the pivots of these columns. Returns the sum of the squares of the computed numbers.
 template <class Register>
 NETLOFT_INLINE double solve_below(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t end,
                                   const double* S) {
@@ -227,7 +228,7 @@ NETLOFT_INLINE double solve_below(const FrontPanels& f, std::ptrdiff_t begin, st
   return squares;
 }
 
-/// Whether column k of A₂₁, the rows below the pivots, is zero once the columns from `begin` to k are
+/// Whether column k of A₂₁ (the rows below the pivots) is zero after the columns from `begin` to k have been
 /// eliminated.
 template <class Register>
 NETLOFT_INLINE bool is_zero_below(const FrontPanels& f, std::ptrdiff_t begin, std::ptrdiff_t k,
@@ -255,8 +256,8 @@ NETLOFT_INLINE Elimination eliminate_block(const FrontPanels& f, std::ptrdiff_t 
   return {};
 }
 
-/// Computes C ← L⁻¹ C for a unit lower triangular L of kBlock columns and C of `columns` columns of the same
-/// stride.
+/// Computes C ← L⁻¹ C with a unit lower triangular L of kBlock columns, and C with `columns` columns of the
+/// same stride.
 template <class Register>
 NETLOFT_INLINE void solve_lower(const double* L, std::ptrdiff_t stride, double* c, std::ptrdiff_t columns) {
   using V = typename Register::V;

@@ -27,11 +27,11 @@ constexpr std::ptrdiff_t left_stride(std::ptrdiff_t pivots, std::ptrdiff_t other
 
 /// Which pivots are accepted.
 struct PivotRule {
-  /// Stops if the columns of L₂₁ of one block together have a norm above 1/least.
+  /// Elimination stops if the columns of L₂₁ in one block together have a norm above 1/least.
   double least = 0;
   /// Takes the pivots from the diagonal, without exchange of rows, and stops at the first that is not
-  /// positive. With this rule, a symmetric matrix is eliminated if and only if it is positive definite, but
-  /// for rounding.
+  /// positive. With this rule, and except for rounding, the elimination of a symmetric matrix succeeds if and
+  /// only if the matrix is positive definite.
   bool positive = false;
 };
 
@@ -43,18 +43,18 @@ struct Elimination {
 /// Number of pivots that are eliminated one by one before the columns after them are updated.
 inline constexpr std::ptrdiff_t kPivotBlock = 8;
 
-/// The number of pivots before `end` that update the same number of columns after `end` in one product. It is
-/// the largest power of two that divides `end`: blocks are merged in pairs, then pairs of pairs and so on.
+/// Number of pivots before `end` that update, in one product, as many columns after `end`. It is the largest
+/// power of two that divides `end`: blocks are merged in pairs, then pairs of pairs and so on.
 constexpr std::ptrdiff_t eliminated_together(std::ptrdiff_t end) { return end & -end; }
 
 /// The dense operations on a front, for the instruction set of this processor. A₁₁ is the square of the n
-/// pivots, A₂₁ the rows of the u other unknowns below it, A₁₂ their columns beside it, C the u × u update for
-/// the parent front:
+/// pivots; below it are the rows A₂₁ of the u other unknowns, beside it their columns A₁₂; C is the u × u
+/// update for the parent front:
 ///   P A₁₁ = L₁₁ U₁₁,  L₂₁ = A₂₁ U₁₁⁻¹,  U₁₂ = L₁₁⁻¹ P A₁₂                 (1)
 ///   C ← C − L₂₁ U₁₂                                                       (2)
 /// P exchanges rows of A₁₁ only: the largest entry of a column becomes its pivot if the diagonal entry is
 /// less than a tenth of the norm of the entries below (threshold pivoting; Duff, Erisman, Reid 1986), unless
-/// the rule is another.
+/// another rule is set.
 struct FrontKernels {
   /// Computes (1). `exchanged[k]` becomes the row with which row k was exchanged.
   Elimination (*eliminate)(const FrontPanels& front, const PivotRule& rule, std::int32_t* exchanged);
@@ -67,7 +67,7 @@ struct FrontKernels {
   void (*backward)(const FrontPanels& front, double* y);
 
   // The functions below compute (1) and (2) in pieces for several threads. Pieces for different ranges `from`
-  // to `to` are independent; ranges of rows begin at a multiple of kTileRows after the first row. The first
+  // to `to` are independent. A range of rows begins at a multiple of kTileRows after the first row. The first
   // function computes L₁₁\\U₁₁ and L₂₁ in the columns of one block of pivots.
   Elimination (*eliminate_block)(const FrontPanels& front, std::ptrdiff_t begin, std::ptrdiff_t end,
                                  const PivotRule& rule, std::int32_t* exchanged);
@@ -85,7 +85,7 @@ struct FrontKernels {
   void (*update_columns)(const FrontPanels& front, double* C, std::ptrdiff_t from, std::ptrdiff_t to);
 };
 
-/// The best kernels for this processor, and all kernels that run on it, with the best last.
+/// The best kernels for this processor; and all kernels that run on it, the best last.
 const FrontKernels& front_kernels();
 std::vector<FrontKernels> front_kernels_here();
 

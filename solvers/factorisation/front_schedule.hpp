@@ -10,9 +10,9 @@ namespace netloft {
 /// them. Every front sums the same numbers in the same order as with one thread; the factors therefore have
 /// the same bits for any number of threads.
 ///
-/// Updates are on two stacks, chosen by the parity of the depth of a front in the tree: the updates of the
-/// children are on top of one stack when their parent pushes its update onto the other. Each branch and the
-/// trunk have separate stacks in the same two blocks of memory.
+/// Updates are kept on two stacks, one for fronts at even depths in the tree and one for fronts at odd
+/// depths. The updates of children are on top of one stack when their parent pushes its update onto the
+/// other. Each branch and the trunk have separate stacks in the same two blocks of memory.
 struct FrontSchedule {
   struct Branch {
     std::size_t first, last;  // first front, and one past the last

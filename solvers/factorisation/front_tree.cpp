@@ -65,14 +65,14 @@ class FrontTreeBuilder {
   Indices front_;         // k -> front
   Indices local_;         // k -> place in the current front
   Indices row_, column_;  // row and column of the first entry of each FrontTree::of_matrix
-  /// A block of entries of the matrix: of three rows and columns, or of one.
+  /// A block of entries of the matrix: 3 × 3 entries, or one.
   struct Piece {
     std::int32_t row, column;
     std::uint32_t slot;
     std::int32_t size;
   };
   std::vector<Piece> pieces_;        // pieces of all columns, column by column
-  std::vector<bool> begins_a_node_;  // unknown -> whether it and the next two belong to one node
+  std::vector<bool> begins_a_node_;  // for each unknown: whether it and the next two belong to one node
 };
 
 FrontTree FrontTreeBuilder::build(OrderingMethod method) {
@@ -168,7 +168,7 @@ void FrontTreeBuilder::find_places() {
   }
 }
 
-/// Lists runs of consecutive places. Pivots of the parent are in separate runs.
+/// Lists runs of consecutive places. Pivots of the parent are not in one run with other unknowns.
 void FrontTreeBuilder::list_runs() {
   for (Front& front : tree_.fronts) {
     front.runs = tree_.runs.size();

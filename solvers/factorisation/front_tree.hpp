@@ -10,8 +10,8 @@
 
 namespace netloft {
 
-/// A dense step of the elimination of a matrix: the elimination of n pivots, with the u other unknowns to
-/// which they are coupled at that step.
+/// A dense step of the elimination of a matrix: it eliminates n pivots, which are coupled to u other unknowns
+/// at that step.
 struct Front {
   std::int32_t first = 0;    // first pivot of the front, in the order of elimination
   std::int32_t pivots = 0;   // number n of pivots
@@ -42,7 +42,7 @@ struct FrontEntries {
 /// to its parent; L₂₁ and U₁₂ are the parts of its factors outside the pivots (front_kernels.hpp). Children
 /// come before parents, and the fronts of each subtree are numbered consecutively.
 struct FrontTree {
-  std::vector<std::int32_t> unknown;  // unknown[k] is eliminated as the k-th
+  std::vector<std::int32_t> unknown;  // unknown[k] is the k-th unknown to be eliminated
   std::vector<Front> fronts;          // all fronts, and an additional one that marks the end
   std::vector<std::int32_t> other;    // unknowns of each front that are not its pivots, by place, ascending
   std::vector<std::int32_t> place;    // place of each `other` among the unknowns of the parent, pivots first

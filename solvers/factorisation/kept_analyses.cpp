@@ -19,11 +19,12 @@ struct Analysed {
   SparsePattern pattern = {};
   bool has_factor = false;
 
-  /// A large factor is not worth its memory. An analysis without a factor needs little memory.
+  /// A factorisation is kept if its factor is not large, or if it has only been analysed, which needs little
+  /// memory.
   bool is_worth_keeping() const { return !has_factor || factorisation->factor_entries() <= kLargestKept; }
 };
 
-/// The factorisations that are kept, while nobody uses them.
+/// Factorisations that are kept for reuse and not used at present.
 class Shelf {
  public:
   /// Returns the factorisation of this class for the pattern, or nullptr if there is none.

@@ -19,7 +19,8 @@ void for_entries(const SparsePattern& pattern, Visit&& visit) {
       visit(pattern.row[e], c, e);
 }
 
-/// The full pattern that belongs to a lower triangle, and for each of its values the value of the triangle.
+/// The full pattern that belongs to a lower triangle. For each entry, it has the index of its value in the
+/// triangle.
 struct WholePattern {
   SparsePattern pattern;
   std::vector<std::int32_t> source;
@@ -49,7 +50,7 @@ WholePattern::WholePattern(const SparsePattern& lower) {
   interleave();
 }
 
-/// Stores the values of columns with the same rows row by row, so that those of two nodes are adjacent.
+/// Stores columns with the same rows row by row, so that the values of a pair of nodes are adjacent.
 void WholePattern::interleave() {
   const auto& start = pattern.column_start;
   const auto rows = [&](std::int32_t c) {

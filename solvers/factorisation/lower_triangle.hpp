@@ -6,8 +6,8 @@
 
 namespace netloft {
 
-/// Makes a factorisation of symmetric matrices that are given by their lower triangle. It uses `inner`, a
-/// factorisation that needs all entries.
+/// Makes a factorisation of symmetric matrices of which only the lower triangle is given, from a
+/// factorisation `inner` that needs all entries.
 std::unique_ptr<Factorisation> make_factorisation_of_lower_triangle(std::unique_ptr<Factorisation> inner);
 
 }  // namespace netloft

@@ -6,9 +6,9 @@
 
 namespace netloft {
 
-/// Makes the factorisation for a class of matrices: this program's multifrontal factorisation for positive
-/// definite matrices and for unsymmetric ones, for these with MUMPS as its fallback, and MUMPS for all
-/// others. Without MUMPS, there is no fallback, and the multifrontal factorisation takes all matrices. Fits
+/// Makes the factorisation for a class of matrices: our own multifrontal factorisation for positive definite
+/// and for unsymmetric matrices, with MUMPS as the fallback for unsymmetric ones, and MUMPS for all others.
+/// Without MUMPS, there is no fallback, and the multifrontal factorisation takes all matrices. Fits
 /// `MakeFactorisation`.
 std::unique_ptr<Factorisation> make_factorisation(MatrixClass kind);
 

@@ -25,8 +25,8 @@ struct MatrixBlocks {
   std::vector<Entry> entries;  // entries outside blocks
 };
 
-/// Unknowns of a front that are consecutive both there and among the unknowns of its parent front. Either all
-/// or none of them are pivots of the parent.
+/// Unknowns that are consecutive in a front and also in its parent front. Either all or none of them are
+/// pivots of the parent.
 struct UnknownRun {
   std::int32_t from = 0;   // first unknown of the run among the others of the front
   std::int32_t place = 0;  // place of this unknown among the unknowns of the parent
@@ -43,7 +43,8 @@ struct ChildUpdate {
 
 /// Operations on numbers of the matrix and of fronts, for the instruction set of this processor.
 struct MatrixKernels {
-  /// Adds the update of a child to the panels of a front, and to its update C with the stride of `upper`.
+  /// Adds the update of a child to the panels of a front, and to the update C of the front, which has the
+  /// stride of `upper`.
   void (*add_child)(const ChildUpdate& child, const FrontPanels& front, double* C);
   /// Copies `from` to `to`. Returns false if some numbers are not finite.
   bool (*take)(std::span<const double> from, double* to);
@@ -52,7 +53,7 @@ struct MatrixKernels {
                    double* sizes);
 };
 
-/// The best kernels for this processor, and all kernels that run on it, with the best last.
+/// The best kernels for this processor; and all kernels that run on it, the best last.
 const MatrixKernels& matrix_kernels();
 std::vector<MatrixKernels> matrix_kernels_here();
 

@@ -53,7 +53,7 @@ MemoryPool::FreeBlock* MemoryPool::pop(std::size_t size_class) {
 void* MemoryPool::take(std::size_t bytes) {
   if (bytes > kLargestBlock) return nullptr;
   const std::size_t size_class = smallest_class_holding(std::max(bytes, kSmallestBlock));
-  // malloc may return a block that is a little larger than requested. When it is freed, such a block is
+  // malloc may return a block that is a little larger than requested. When such a block is freed, it is
   // stored in the next larger class; therefore that class is searched, too.
   for (const std::size_t near : {size_class, size_class + 1})
     if (void* block = pop(near)) return count_as_used(block);
@@ -86,7 +86,7 @@ void* MemoryPool::resize(void* block, std::size_t bytes) {
 void MemoryPool::give_back(void* block) {
   if (block == nullptr) return;
   const std::size_t capacity = capacity_of(block);
-  used_bytes_ -= std::min(used_bytes_, capacity);  // the block may have been allocated elsewhere
+  used_bytes_ -= std::min(used_bytes_, capacity);  // the block need not have been allocated here
   const bool is_worth_keeping = capacity >= kSmallestBlock && kept_bytes_ + capacity <= 2 * most_used_bytes_;
   if (!is_worth_keeping) return std::free(block);
   FreeBlock*& head = free_[largest_class_within(capacity)];

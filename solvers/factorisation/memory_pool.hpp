@@ -39,7 +39,7 @@ class MemoryPool {
   std::size_t used_bytes_ = 0, most_used_bytes_ = 0;
 };
 
-/// Lets MUMPS take its memory from `pool` while this object lives, in this thread only.
+/// While this object exists, MUMPS takes its memory from `pool`, in this thread only.
 class MemoryPoolScope {
  public:
   explicit MemoryPoolScope(MemoryPool& pool);

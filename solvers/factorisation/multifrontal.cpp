@@ -21,8 +21,8 @@ namespace netloft {
 namespace {
 
 constexpr double kLargestError = 1e-9;  // backward error (2) above which the spare factorisation takes over
-// Work [floating-point operations] below which a factorisation takes less than 5 ms, so that threads would
-// gain little.
+// Least work [floating-point operations] for several threads. With less, a factorisation takes less than 5
+// ms, so that threads gain little.
 constexpr double kWorthThreads = 2e8;
 constexpr double kErrorToRefine = 1e-12;  // backward error (2) above which a solution is refined
 constexpr PivotRule kLargePivots{.least = 1e-8, .positive = false},
@@ -122,7 +122,7 @@ double MultifrontalFactorisation::factor_bytes() const {
 FactorResult MultifrontalFactorisation::factorise(std::span<const double> values) {
   assert(pattern_ != nullptr && values.size() == pattern_->value_slots());
   state_ = State::none;
-  is_checked_ = rule_.positive;  // an elimination with positive pivots is stable
+  is_checked_ = rule_.positive;  // elimination with positive pivots is always stable
   if (pattern_->size > 0) {
     if (!has_room()) return {FactorStatus::out_of_memory};
     if (!take(values)) return {FactorStatus::failed, find_column_not_finite(*pattern_, values)};
@@ -134,7 +134,7 @@ FactorResult MultifrontalFactorisation::factorise(std::span<const double> values
   return {FactorStatus::ok, -1, rule_.positive ? 0 : -1};
 }
 
-/// Answers an elimination that stopped in a front.
+/// The result if the elimination stopped in a front.
 FactorResult MultifrontalFactorisation::refuse(std::size_t front, const Elimination& end) {
   const std::int32_t column = tree_.unknown[tree_.fronts[front].first + end.stopped_at];
   if (rule_.positive) return {FactorStatus::not_positive_definite, column};

@@ -14,10 +14,10 @@ using MakeSpare = std::function<std::unique_ptr<Factorisation>()>;
 /// fixed order (front_tree.hpp), and the backward error of a solution x of A x = b:
 ///   P A Pᵀ = Q L U                                         (1)
 ///   ω = max |b − A x|ᵢ / (|A| |x| + |b|)ᵢ                  (2)
-/// P orders the nodes; Q exchanges rows only among the pivots of a front. `analyse` plans everything, and
-/// nothing is scaled, sorted or delayed afterwards: in other codes, such operations cost more than the
-/// arithmetic for matrices of some thousand unknowns. The disadvantage is that pivots may be poor. Therefore
-/// the spare factorisation made by `make_spare` takes over
+/// P orders the nodes; Q exchanges rows only among the pivots of a front. `analyse` plans everything; nothing
+/// is scaled, sorted or delayed afterwards. (In other codes, such operations take longer than the arithmetic
+/// if a matrix has only some thousand unknowns.) The disadvantage is that pivots may be poor. Therefore the
+/// spare factorisation made by `make_spare` takes over
 /// - if a pivot is zero, or less than 1e-8 of the entries below it outside the pivots of its front;
 /// - if in the first solve after a factorisation the backward error (2) (Oettli and Prager 1964) is larger
 ///   than 1e-9 even after a step of iterative refinement.
@@ -31,7 +31,7 @@ std::unique_ptr<Factorisation> make_multifrontal_factorisation(MakeSpare make_sp
 
 /// The same for symmetric positive definite matrices, which are given by their lower triangle: Q = 1, and the
 /// diagonal of U is positive. If the matrix is not positive definite, `column` of the result is the first
-/// unknown whose pivot is not positive; which one that is depends on P.
+/// unknown, in the order P, whose pivot is not positive.
 std::unique_ptr<Factorisation> make_definite_factorisation(OrderingMethod method = OrderingMethod::best,
                                                            int threads = 1);
 

@@ -51,8 +51,8 @@ MumpsInstance::MumpsInstance(bool symmetric) {
   if (run(kBegin) < 0) throw std::bad_alloc();
   for (const int stream : {1, 2, 3, 4}) icntl(stream) = 0;  // no output
   icntl(6) = 0;                                             // no permutation by values:
-  icntl(7) = 1;                                             // the order is given by us,
-  icntl(12) = 1;                                            // and the order is used unchanged
+  icntl(7) = 1;                                             // the order is the one that we give,
+  icntl(12) = 1;                                            // and is used unchanged
   icntl(13) = 1;                                            // count all negative pivots
   icntl(24) = 1;                                            // name pivots that are zero
 }
@@ -175,7 +175,7 @@ FactorResult MumpsFactorisation::factorise(std::span<const double> values) {
 }
 
 /// Computes (1) or (2) of mumps.hpp. Delayed pivots need more memory than the analysis of the pattern
-/// predicts. How much is unknown; therefore the memory is doubled until it suffices.
+/// predicts, and it is unknown how much. Therefore the memory is doubled until it is enough.
 int MumpsFactorisation::factorise_with_room() {
   constexpr int kNoRoomForIntegers = -8, kNoRoomForReals = -9;
   constexpr int kMostRoom = 10000;  // memory in addition to the prediction [percent]

@@ -15,8 +15,8 @@ bool has_mumps();
 ///   P A Q  = L U      unsymmetric: the pattern should be nearly symmetric                              (2)
 /// For symmetric matrices, the negative eigenvalues of D are counted; A has the same number (Sylvester's law
 /// of inertia). From the second `factorise` on, neither `factorise` nor `solve` allocates. A pivot below 1e-5
-/// eps ‖A‖ is reported as singular at its unknown; larger pivots pass even if they are only round-off. MUMPS
-/// has global variables, so that calls from several threads wait for each other. `kind` must not be
+/// eps ‖A‖ is reported as singular at its unknown; larger pivots pass even if they are only round-off.
+/// Because MUMPS has global variables, calls from several threads wait for each other. `kind` must not be
 /// positive_definite.
 std::unique_ptr<Factorisation> make_mumps_factorisation(MatrixClass kind,
                                                         OrderingMethod method = OrderingMethod::best);

@@ -12,7 +12,7 @@ namespace {
 
 using Indices = std::vector<std::int32_t>;
 
-/// Turns counts, of which that for i is stored at [i + 1], into start indices.
+/// Converts counts to start indices. The count of i must be stored at [i + 1].
 void accumulate(Indices& start) { std::partial_sum(start.begin(), start.end(), start.begin()); }
 
 /// Numbers the nodes that have unknowns, in the order of nodes; `vertices` becomes their number. Returns the
@@ -46,7 +46,7 @@ struct Edge {
   std::int32_t low, high;
 };
 
-/// Lists the edges of each vertex. An edge that is found from both its vertices appears twice.
+/// Lists the edges of each vertex. An edge may appear twice, once for each of its vertices.
 std::vector<Edge> collect_edges(const SparsePattern& pattern, const Indices& vertex, const NodeGraph& graph) {
   std::vector<Edge> edges;
   Indices seen_from(graph.size, -1);
@@ -86,7 +86,7 @@ void store_edges(const std::vector<Edge>& edges, NodeGraph& graph) {
   }
 }
 
-/// Throws if there are too many edges. In METIS's form, a graph has every edge twice, once from each end.
+/// Throws if there are too many edges. The format of METIS contains every edge twice, once for each end.
 void require_indices(std::size_t edges, std::size_t most, std::int32_t nodes) {
   if (edges <= most) return;
   throw std::runtime_error("cannot order a matrix of " + std::to_string(nodes) +

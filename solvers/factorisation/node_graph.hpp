@@ -25,7 +25,7 @@ struct NodeGraph {
 /// Largest number of edges, where an edge counts once at each end. METIS uses 32-bit indices.
 inline constexpr std::size_t kMostEdges = 0x7fffffff;
 
-/// Makes the graph of a pattern; if the pattern is unsymmetric, of its union with its transpose. Throws
+/// Makes the graph of a pattern. An unsymmetric pattern is first united with its transpose. Throws
 /// std::runtime_error with a sentence if there are more than `most_edges` edges.
 NodeGraph make_node_graph(const SparsePattern& pattern, std::size_t most_edges = kMostEdges);
 

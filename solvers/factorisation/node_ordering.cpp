@@ -32,7 +32,7 @@ void require_done(bool is_done, const char* name, int status) {
                              std::to_string(status));
 }
 
-/// Without an edge, all orders are alike, and neither library takes the graph.
+/// If there are no edges, all orders are equally good, and neither library accepts the graph.
 Indices order_vertices(OrderingMethod method, Neighbours& graph, std::int32_t size) {
   Indices order(static_cast<std::size_t>(size)), place(order.size());
   std::iota(order.begin(), order.end(), 0);

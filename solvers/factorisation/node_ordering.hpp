@@ -15,14 +15,14 @@ enum class OrderingMethod { best, amd, metis };
 
 /// An elimination order that keeps the factor sparse.
 struct NodeOrdering {
-  std::vector<std::int32_t> unknown;  // unknown[k] is eliminated as the k-th
+  std::vector<std::int32_t> unknown;  // unknown[k] is the k-th unknown to be eliminated
   std::string method;                 // "METIS" or "AMD"
   double flops = 0;                   // operations of a Cholesky factorisation if every node had one unknown
 };
 
 /// The number of nodes from which on `best` tries METIS in addition to AMD. On nets of 100 to 600 nodes,
-/// factorisations after METIS had 1.02 to 1.7 times the operations of those after AMD, and METIS took as long
-/// as two factorisations.
+/// factorisations in the order of METIS took 1.02 to 1.7 times as many operations as in the order of AMD, and
+/// METIS itself took as long as two factorisations.
 inline constexpr std::int32_t kLargeNet = 700;
 
 /// Orders the node graph of `pattern`. `best` tries both methods from `large` nodes on and takes the one with

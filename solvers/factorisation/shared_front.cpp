@@ -6,13 +6,14 @@
 namespace netloft {
 namespace {
 
-// Amount of work [floating-point operations] below which threads cost more than they save: one thread does it
-// in 25 microseconds.
+// Least work [floating-point operations] for several threads. With less, which one thread does in 25
+// microseconds, threads cost more than they save.
 constexpr double kWorthwhile = 1e6;
-constexpr std::ptrdiff_t kSlicesPerThread = 4;  // so that a thread without a core of its own delays little
+constexpr std::ptrdiff_t kSlicesPerThread = 4;  // so that other threads hardly wait for one that has no core
+                                                // of its own
 
-/// Divides the numbers from `begin` to `end` into slices, and lets threads call body(from, to) on them. Each
-/// slice begins a multiple of `grain` after `begin`.
+/// Divides the numbers from `begin` to `end` into slices, for which threads call body(from, to). Slices begin
+/// at multiples of `grain` after `begin`.
 template <class Body>
 void divide(Workers& workers, std::ptrdiff_t begin, std::ptrdiff_t end, std::ptrdiff_t grain, double flops,
             const Body& body) {

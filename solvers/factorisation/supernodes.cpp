@@ -11,7 +11,8 @@ namespace {
 
 using Indices = std::vector<std::int32_t>;
 
-/// A row of supernodes that are merged: n columns, the first of which has `rows` entries, some of them zeros.
+/// Consecutive supernodes that are merged to one of n columns. The first column has `rows` entries, some of
+/// which may be zeros.
 struct Merged {
   std::int32_t first = 0;
   double columns = 0, rows = 0, zeros = 0;
@@ -19,8 +20,8 @@ struct Merged {
   double entries() const { return columns * (columns + 1) / 2 + columns * (rows - columns); }
 };
 
-/// The two of them as one, if `child` comes directly before `parent`, to all of whose rows it then has
-/// entries.
+/// Returns both as one supernode. `child` must come directly before `parent`; its columns then get entries in
+/// all rows of `parent`.
 Merged merged(const Merged& child, const Merged& parent) {
   Merged both{child.first, child.columns + parent.columns, child.columns + parent.rows, 0};
   both.zeros = both.entries() - (child.entries() - child.zeros) - (parent.entries() - parent.zeros);
@@ -29,8 +30,9 @@ Merged merged(const Merged& child, const Merged& parent) {
 
 /// Neighbouring supernodes are merged into one of n vertices in four cases: n ≤ 2; n ≤ 6 with at most a
 /// fraction of 0.8 of zeros among its entries; n ≤ 16 with at most 0.1; any n with at most 0.05. Seven sets
-/// were compared, from no merging to 6, 16, 32, 0.8, 0.2, 0.08, on tangents of 500 to 10⁵ unknowns: none is
-/// better by more than 4 %, and the set with the largest supernodes takes 1.5 times as long at 500.
+/// of limits were compared, from no merging to (6, 16, 32; 0.8, 0.2, 0.08), on tangents of 500 to 10⁵
+/// unknowns. No other set is better by more than 4 %, and the one with the largest supernodes takes 1.5 times
+/// as long for 500 unknowns.
 bool is_worth_merging(const Merged& both) {
   constexpr double kVertices[] = {2, 6, 16};
   constexpr double kZeros[] = {0.8, 0.1, 0.05};
@@ -52,8 +54,8 @@ Indices find_equal_columns(const EliminationTree& tree) {
   return first;
 }
 
-/// Merges each supernode with the one after it, from the last to the first, where that is its parent and is
-/// worth it.
+/// Goes through the supernodes from the last to the first. Merges each with the next one, if the next one is
+/// its parent and merging is worthwhile.
 Indices merge(const EliminationTree& tree, const Indices& first) {
   const auto size = static_cast<std::int32_t>(tree.parent.size());
   std::vector<Merged> rows;  // from the last to the first
@@ -85,7 +87,7 @@ Supernodes::Supernodes(const NodeGraph& graph, std::span<const std::int32_t> ord
   find_others(graph);
 }
 
-/// A supernode is coupled to the later neighbours of its vertices, and to the others of its children.
+/// The others of a supernode are the later neighbours of its vertices, and the others of its children.
 void Supernodes::find_others(const NodeGraph& graph) {
   Indices place(order_.size()), supernode(order_.size()), seen_from(order_.size(), -1);
   for (std::size_t k = 0; k < order_.size(); ++k) place[order_[k]] = static_cast<std::int32_t>(k);
@@ -98,7 +100,7 @@ void Supernodes::find_others(const NodeGraph& graph) {
     others[s].push_back(later);
   };
   std::vector<std::vector<std::int32_t>> children(count());
-  // The graph has each edge once, so that edges are first given to the supernode of their earlier end.
+  // The graph has each edge once. Therefore each edge is first given to the supernode of its earlier end.
   std::vector<Indices> later(count());
   for (std::int32_t v = 0; v < graph.size; ++v)
     for (std::int32_t e = graph.column_start[v]; e < graph.column_start[v + 1]; ++e) {

@@ -8,15 +8,16 @@
 
 namespace netloft {
 
-/// Vertices of a graph that are eliminated together, because they are coupled to the same others, or nearly
-/// so: relaxed supernodes (Ashcraft and Grimes, ACM Trans. Math. Softw. 15 (1989) 291).
+/// Vertices of a graph that are eliminated together, because they are coupled to the same or nearly the same
+/// other vertices: relaxed supernodes (Ashcraft and Grimes, ACM Trans. Math. Softw. 15 (1989) 291).
 class Supernodes {
  public:
-  /// The vertices are eliminated in `order`, up to changes that leave the fill as it is.
+  /// The vertices are eliminated in `order`, or in another order with the same fill.
   Supernodes(const NodeGraph& graph, std::span<const std::int32_t> order);
 
   std::size_t count() const { return first_.size() - 1; }
-  /// The vertices in the order in which they are eliminated; they are named by their places in it.
+  /// The vertices in the order in which they are eliminated. Elsewhere, a vertex is named by its place in
+  /// this order.
   const std::vector<std::int32_t>& order() const { return order_; }
   /// The first vertex of a supernode, or the number of all vertices for s = count().
   std::int32_t first(std::size_t s) const { return first_[s]; }

@@ -7,14 +7,15 @@
 namespace netloft {
 
 /// The rotation of a body, in three angles [rad]. The axes of the body are x aft, y outward and z up. Without
-/// rotation, they are the axes of the scene, in which the gear is towed against x. The argument `side` of the
-/// functions below is 1 if outward is starboard (+y), and -1 if it is port.
+/// rotation, they are the axes of the scene, in which the gear is towed in the direction −x. The argument
+/// `side` of the functions below is 1 if outward is starboard (+y), and -1 if it is port.
 ///   heading   turns the nose outward: the angle of attack of an upright board in water that flows along x
 ///   heel      turns the top outward
 ///   trim      turns the nose upward
 /// The body is turned by the heel about the x axis, then by the trim about y, then by the heading about z:
 ///   R = R_z(−s heading) R_y(trim) R_x(−s heel),   s = side                                      (1)
-/// At a trim of a right angle, heading and heel are the same rotation and cannot be determined separately.
+/// If the trim is a right angle, heading and heel turn the body about the same axis, and only one combination
+/// of them can be determined.
 struct Attitude {
   double heading = 0, heel = 0, trim = 0;
 };

@@ -6,8 +6,8 @@
 namespace netloft {
 
 /// A number with its gradient and, if Order is 2, its Hessian with respect to N variables (automatic
-/// differentiation, forward mode). Dual numbers are slow, but they give the force and the tangent of an
-/// element from its energy alone. Tests compare faster kernels with them.
+/// differentiation, forward mode). Dual numbers are slow, but they need only the energy of an element to
+/// compute its force and its tangent. Tests compare faster code with them.
 template <int N, int Order = 2>
 struct Dual {
   double value = 0;
@@ -61,8 +61,8 @@ struct Dual {
   friend bool operator<=(const Dual& a, const Dual& b) { return a.value <= b.value; }
   friend bool operator>=(const Dual& a, const Dual& b) { return a.value >= b.value; }
 
-  /// At zero the root has no derivative. The derivative is set to zero, so that the derivative of ‖w‖ w is
-  /// correct for a vector w = 0.
+  /// The square root has no derivative at zero. Setting it to zero makes the derivative of ‖w‖ w correct for
+  /// a vector w = 0.
   friend Dual sqrt(const Dual& a) {
     const double s = std::sqrt(a.value);
     return s == 0 ? Dual(0) : a.chain(s, 0.5 / s, -0.25 / (s * a.value));
@@ -90,8 +90,8 @@ struct Dual {
   }
   friend Dual atan2(const Dual& y, const Dual& x) {
     const double square = x.value * x.value + y.value * y.value;
-    // In axes along the value of the vector (x, y), the vector is proportional to (ahead, turn). Its angle
-    // there has the value zero and the derivatives of the result.
+    // (ahead, turn) is the vector (x, y), up to a factor, in axes whose first one has the direction of its
+    // value. In these axes, the angle of the vector is zero and has the same derivatives as the result.
     const Dual turn = (x.value * y - y.value * x) / square;
     const Dual ahead = (x.value * x + y.value * y) / square;
     return std::atan2(y.value, x.value) + atan(turn / ahead);

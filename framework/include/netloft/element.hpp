@@ -9,9 +9,9 @@
 //   static Status evaluate(const Parameters&, const Data&, const State<N>&, Local<N>&);
 //   static Status tile(const Family<Element>&, netloft_tile&);
 //
-// `energy` and `force` are differentiated automatically; `evaluate` computes one element, `tile` up to 64 in
-// a loop. `force` returns the physical force on the nodes; the other functions compute the residual, which is
-// minus the physical force.
+// `energy` and `force` are differentiated automatically; `evaluate` computes one element, `tile` computes up
+// to 64 elements in a loop. `force` returns the physical force on the nodes; the other functions compute the
+// residual, which is minus the physical force.
 //
 // On a rigid body (`stencil = NETLOFT_BODY`), `energy` takes a `Pose<T>` instead of points, and `force` takes
 // a `Body<T>` and returns a `Wrench<T>`: see body.hpp. `evaluate` and `tile` see the body as two nodes, the
@@ -20,10 +20,10 @@
 // If an element needs data of its whole part (all elements with the same parameters), it declares a struct
 // `Whole`. The host calls `gather(parameters, data, whole)`, which fills this struct, for each element of the
 // part in turn. `evaluate`, `force` and outputs receive the struct after the data, and
-// `check_whole(parameters, whole)` may throw std::invalid_argument. Curves from tables (interpolation.hpp)
-// are best stored in `Whole`, too, because they are then made only once. If the elements of a part share
-// unknowns (the front of a catch), the element declares their number, `static constexpr int globals = 1`.
-// These unknowns are the coordinates of an additional last node, so that N is greater by one.
+// `check_whole(parameters, whole)` may throw std::invalid_argument. It is best to store curves from tables
+// (interpolation.hpp) in `Whole`, too, because they are then made only once per part. If the elements of a
+// part share unknowns (the front of a catch), the element declares their number, `static constexpr int
+// globals = 1`. These unknowns are the coordinates of an additional last node, so that N is greater by one.
 //
 // If an element bears tension along straight lines, it can declare these lines, its members. Solvers may then
 // treat the tensions as unknowns:
@@ -77,7 +77,7 @@ enum Trait : std::uint32_t {
 /// The meaning of an output, for reports that compare parts of different types.
 enum class OutputRole : std::uint32_t {
   plain = NETLOFT_OUTPUT_PLAIN,
-  tension = NETLOFT_OUTPUT_TENSION,  // tension in a rope or in one twine [N], negative in compression
+  tension = NETLOFT_OUTPUT_TENSION,  // tension in a rope or in one twine [N], negative if compressed
   doubt = NETLOFT_OUTPUT_DOUBT,      // not zero if the element is used beyond its known range of validity
 };
 
@@ -149,8 +149,8 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     add_output(name, unit, doc, {nullptr, nullptr, function}, OutputRole::plain);
   }
 
-  /// Declares a key under which users choose a law by name. `accepts` is a sum of netloft_law_kind,
-  /// `fallback` the law used by default.
+  /// Declares a key under which users choose a law by name. `accepts` is a sum of values of netloft_law_kind,
+  /// `fallback` is the default.
   void law(const char* name, std::uint32_t accepts, const char* fallback, const char* doc) {
     netloft_law_slot l{};
     l.size = sizeof l;
@@ -166,9 +166,9 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
   void rides_on(const char* element) {
     offers_.template one<netloft_rider>(NETLOFT_EXT_PAIRS).rides_on = element;
   }
-  /// Declares a number that all elements of a part share. It is an unknown if the parameter `needs` is not
-  /// zero or if `needs` is nullptr; otherwise it keeps its initial value, `start`. The first number is x, the
-  /// second y and the third z of the last node of State::x.
+  /// Declares an unknown that all elements of a part share, with its initial value `start`. It keeps this
+  /// value if the parameter named by `needs` is zero; nullptr: it never does. The unknowns, three at most,
+  /// are x, y and z of the last node of State::x.
   void global(const char* name, const char* unit, const char* doc, const char* needs, Start start) {
     netloft_global g{};
     g.size = sizeof g;
@@ -186,7 +186,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     offers_.template one<netloft_memory>(NETLOFT_EXT_MEMORY).width = width;
   }
 
-  /// Identifiers of the extensions without which a host must refuse the element.
+  /// Identifiers of the extensions that a host must support to accept the element.
   const std::vector<const char*>& required() const { return required_; }
 
   netloft_element descriptor() const {
@@ -226,7 +226,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     OutputWithWhole with_whole;
     LanesOutput lanes;
   };
-  /// Declares the members of the element, to which the term with the trait `of_members` belongs.
+  /// Declares the members of the element; the term with the trait `of_members` is their force.
   void declare_members() {
     static_assert(detail::HasMembers<E>,
                   "A term of members needs a static function of the element, `std::array<Member, N> "
@@ -235,7 +235,8 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     members.count = detail::count_members<E>();
     members.write = &detail::write_members<E>;
   }
-  /// Requests the extension data (ground, waves, memory) that a term with these traits reads.
+  /// Lists the extensions (ground, waves, memory) whose data a term with these traits reads, so that the host
+  /// provides them.
   void list_inputs(std::uint32_t traits) {
     if (traits & (NETLOFT_READS_GROUND | NETLOFT_READS_BED))
       list_input(detail::kGroundPlace, NETLOFT_EXT_GROUND);
@@ -246,8 +247,8 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     inputs_[place] = id;
     lists_inputs_ = true;
   }
-  /// Requires an extension. `take` reads the host's data for the extension when the elements are created;
-  /// `take` is nullptr if no such data exist.
+  /// Requires an extension. When elements are created, `take` reads the data of the host for this extension;
+  /// nullptr if there are no such data.
   void require(const char* id, void (*take)(Family<E>&, netloft_create&)) {
     for (const char* known : required_)
       if (std::strcmp(known, id) == 0) return;
@@ -314,8 +315,8 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
   const char *name_, *doc_;
   std::vector<const char*> required_;
   bool lists_inputs_ = false;
-  // Inputs that no term reads have the identifier "", which no host knows, so that the host gives no data for
-  // them.
+  // An input that no term reads is listed as "". No host knows this identifier, so that none provides data
+  // for it.
   std::array<const char*, detail::kInputPlaces + 1> inputs_{"", "", "", nullptr};
   std::vector<netloft_term> terms_;
   std::vector<netloft_output> outputs_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Adapts the functions of an element to the C functions that the host calls. Included by element.hpp; nothing
-// here is for authors.
+// Adapts the functions of an element to the C functions that the host calls. Included by element.hpp; authors
+// do not use it.
 #pragma once
 #include <netloft/ext/bodies.h>
 #include <netloft/ext/convex.h>
@@ -29,8 +29,8 @@ consteval int count_globals() {
 }
 template <class E>
 inline constexpr bool is_on_body = E::stencil == NETLOFT_BODY;
-/// Number of nodes: those of the stencil, one for the rotation of a body, and one for the unknowns that the
-/// elements of a part share.
+/// Number of nodes: those of the stencil, one more for the rotation of a body, and one more for unknowns that
+/// the elements of a part share.
 template <class E>
 inline constexpr int nodes_of = (E::stencil & 0xff) + is_on_body<E> + (count_globals<E>() > 0);
 template <class E>
@@ -96,7 +96,7 @@ inline int say(char* message, std::uint32_t size, const char* text, int status) 
   return status;
 }
 
-/// Runs `body` and converts exceptions to a status and a message, so that none leaves the plugin.
+/// Runs `body` and converts exceptions to a status and a message, so that no exception leaves the plugin.
 template <class F>
 int guarded(char* message, std::uint32_t size, F&& body) noexcept {
   try {
@@ -133,8 +133,8 @@ inline Bed bed_below(const netloft_tile& t, std::size_t node, std::size_t lane) 
           at(5)};
 }
 
-/// The bed below the nodes. Only the first `of_stencil` nodes are places and have a bed; the nodes after them
-/// hold the rotation of a body or unknowns that elements share.
+/// The bed below the nodes. Only the first `of_stencil` nodes are points and have a bed. Later nodes hold the
+/// rotation of a body or shared unknowns.
 template <std::size_t Nodes>
 std::array<Bed, Nodes> beds_below(const netloft_tile& t, std::size_t of_stencil, std::size_t lane) {
   std::array<Bed, Nodes> beds{};
@@ -148,7 +148,7 @@ inline Vec3<double> passing_ground(const netloft_tile& t) {
   return g ? Vec3<double>{g[0], g[1], g[2]} : Vec3<double>{};
 }
 
-/// All traits, for outputs: they receive every input that some term of the element reads.
+/// All traits. Outputs use them, and thus receive every input that some term of the element reads.
 inline constexpr std::uint32_t kEveryTrait = ~std::uint32_t{0};
 
 /// Reads the data of extensions for a term with these traits.
@@ -198,9 +198,9 @@ void scatter(const Local<Nodes>& local, bool symmetric, std::size_t lane, netlof
       t.tangent[kLanes * entry++ + lane] += local.tangent[r][c];
 }
 
-/// Reads the degrees of freedom of one element from a field [dof][64] as dual numbers. The derivative of
-/// number i with respect to unknown i is `factor`. If `field` is nullptr, the values are zero, and the
-/// derivatives are the same.
+/// Reads the degrees of freedom of one element from a field [dof][64] as dual numbers. The derivative of each
+/// degree of freedom with respect to itself is `factor`, and other derivatives are zero. If `field` is
+/// nullptr, all values are zero, but the derivatives are the same.
 template <class T, int Nodes>
 Points<T, Nodes> read_dual(const double* field, std::size_t lane, double factor) {
   Points<T, Nodes> to{};
@@ -219,8 +219,7 @@ Points<T, Nodes> read_current(const netloft_tile& t, std::size_t lane, const Poi
              slope = read_dual<double, Nodes>(t.current_dz, lane, 0);
   Points<T, Nodes> to{};
   for (std::size_t n = 0; n < static_cast<std::size_t>(Nodes); ++n) {
-    T height = x[n].z;  // height above the node, where `current` is given: its value is zero, but its
-                        // derivatives are not
+    T height = x[n].z;  // height above the node: zero at the node itself, but with derivatives
     if constexpr (std::is_same_v<T, double>)
       height = 0;
     else
@@ -235,8 +234,8 @@ Pose<T> pose_of(const Vec3<T>& x, const Vec3<T>& psi) {
   return {x, turned_axes(psi)};
 }
 
-/// Reads the motion of one element as dual numbers. Their derivatives with respect to the unknowns are the
-/// factors of the tangent: cu for positions, cv for velocities, ca for accelerations.
+/// Reads the motion of one element as dual numbers. The derivatives of a position, velocity and acceleration
+/// with respect to the unknown are the factors cu, cv and ca of the tangent.
 template <class E, class T, std::uint32_t Traits>
 MotionOf<E, T> read_motion(const netloft_tile& t, std::size_t lane) {
   constexpr int N = nodes_of<E>;
@@ -266,8 +265,8 @@ MotionOf<E, T> read_motion(const netloft_tile& t, std::size_t lane) {
   return m;
 }
 
-/// Converts the result of `force` to a residual, which is minus the force. On a body, it is also minus the
-/// generalised force whose work on the rotation vector is that of the moment.
+/// Converts the result of `force` to a residual, which is minus the force. For a body, the moment also
+/// becomes minus the generalised force that does the same work on the rotation vector.
 template <class E, class T>
 Points<T, nodes_of<E>> residual_of(const PushOf<E, T>& push, const netloft_tile& t, std::size_t lane) {
   Points<T, nodes_of<E>> residual{};
@@ -281,8 +280,8 @@ Points<T, nodes_of<E>> residual_of(const PushOf<E, T>& push, const netloft_tile&
   return residual;
 }
 
-/// Residual and tangent of a term without an energy, by first-order forward differentiation. The derivatives
-/// do not change the bits of the force.
+/// Residual and tangent of a term without an energy, by first-order forward differentiation. The force has
+/// the same bits as if it were computed without derivatives.
 template <class E, class T, std::uint32_t Traits = kEveryTrait>
 void differentiate_force(const Family<E>& f, std::size_t element, const netloft_tile& t, std::size_t lane,
                          Local<nodes_of<E>>& local) {

@@ -8,8 +8,9 @@
 //   template <class T> static Vec3<T> weight(const Parameters&, const Vec3<T>& current, double reach,
 //                                            int unknown);
 //
-// `water` returns the velocity of the water at a place [m/s], `weight` the weight of the residual of the drag
-// there in the equation of an unknown. Both are differentiated automatically.
+// `water` returns the velocity of the water at a place [m/s]. `weight` returns the factor with which the
+// residual of the drag at that place enters the equation of an unknown. Both are differentiated
+// automatically.
 #pragma once
 #include <netloft/ext/flow.h>
 #include <netloft/dual.hpp>

@@ -4,8 +4,8 @@
 namespace netloft {
 
 /// The smallest ratio that matters: of an unbalanced force to the load, of a stiffness to the linear
-/// stiffness, of a change of length to the length. Drag, stiffness and lengths of netting are known to 1 % at
-/// best; a tenth of that, 1e-3, makes no difference to a gear.
+/// stiffness, or of a change of length to the length. Drag, stiffness and lengths of netting are known to 1 %
+/// at best, so that a tenth of that makes no difference to a gear.
 inline constexpr double kMatters = 1e-3;
 
 }  // namespace netloft

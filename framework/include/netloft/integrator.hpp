@@ -38,8 +38,8 @@ class Motion {
   std::span<double> next_v() { return {m_.v_new, size()}; }
   std::span<double> next_a() { return {m_.a_new, size()}; }
   std::span<double> error() { return {m_.error, size()}; }
-  /// An array with a number for each unknown, which keeps its values from step to step. Every `index` has an
-  /// array of its own.
+  /// An array with a number for each unknown, which keeps its values from step to step. Every `index` has its
+  /// own array.
   std::span<double> scratch(std::uint32_t index) { return {m_.scratch(m_.host, index), size()}; }
 
   /// Computes the residual r = F(t, u, v, a) [N].
@@ -51,12 +51,12 @@ class Motion {
   Step accelerate(double t, std::span<const double> u, std::span<const double> v, std::span<double> a) {
     return checked(m_.accelerate(m_.host, t, u.data(), v.data(), a.data()));
   }
-  /// Finds the u for which F(t, u, v0 + cv u, a0 + ca u) vanishes, starting from the given u.
+  /// Finds the u for which F(t, u, v0 + cv u, a0 + ca u) vanishes. The given u is the initial guess.
   Step solve(double t, std::span<const double> v0, double cv, std::span<const double> a0, double ca,
              std::span<double> u) {
     return checked(m_.solve(m_.host, t, v0.data(), cv, a0.data(), ca, u.data()));
   }
-  /// Finds the displacements u at the end of the step for which the mean forces over the step balance. The
+  /// Finds the displacements u at the end of the step such that the mean forces over the step balance. The
   /// rates in the middle of the step are v = v0 + cv u and a = a0 + ca u. The comment on netloft_motion
   /// (ext/integrator.h) defines the mean forces, `damping` and `memory`.
   Step solve_between(std::span<const double> v0, double cv, std::span<const double> a0, double ca,
@@ -66,7 +66,9 @@ class Motion {
 
  private:
   static Step checked(int status) {
-    if (status < 0) throw std::runtime_error("");  // the host reports the cause itself
+    if (status < 0)
+      throw std::runtime_error("");  // an empty message, because the host reports the cause
+                                     // itself
     return static_cast<Step>(status);
   }
   netloft_motion& m_;

@@ -10,7 +10,7 @@
 // so that the curve is monotone wherever the samples are, and never above or below them (F. N. Fritsch and J.
 // Butland, SIAM Journal on Scientific and Statistical Computing 5, 1984). A surface over two arguments has
 // these slopes along both arguments, and its mixed derivative is zero at the samples f_ij. With Hermite's
-// cubic polynomials H and the fractions s, t of the intervals that lie below the arguments,
+// cubic polynomials H and the positions s, t of the arguments in their intervals, 0 to 1,
 //   f = Σ_ij H_i(s) H_j(t) f_ij + …                        bicubic Hermite form, ∂²f/∂x∂y = 0 at samples (2)
 // The first derivatives of a surface are continuous as well, and along a grid line the surface is the curve
 // through the samples of that line.
@@ -54,8 +54,8 @@ inline std::vector<double> sample_slopes(const std::vector<double>& x, const std
   return m;
 }
 
-/// The interval that contains an argument: its index, its length, and the fraction s of the interval that is
-/// below the argument. An argument beyond the samples is moved to the edge.
+/// The interval that contains an argument: its index, its length, and the position s of the argument in the
+/// interval, 0 to 1. An argument beyond the samples is moved to the edge.
 template <class T>
 struct Interval {
   Interval(const std::vector<double>& x, const T& at) {

@@ -99,15 +99,15 @@ int evaluate_law(const void* parameters, const netloft_law_tile* flow) noexcept 
 /// Quantities for which a law may be valid in a limited range only. W is the velocity of the water relative
 /// to the twine, D the diameter, ν the viscosity, S the solidity.
 enum class Quantity : std::uint32_t {
-  reynolds = NETLOFT_REYNOLDS,                      // Reynolds number ‖W‖ D/ν
-  reynolds_across = NETLOFT_REYNOLDS_ACROSS,        // the same number for the part of W across a twine
+  reynolds = NETLOFT_REYNOLDS,                // Reynolds number ‖W‖ D/ν
+  reynolds_across = NETLOFT_REYNOLDS_ACROSS,  // as `reynolds`, but with the component of W across the twine
   reynolds_in_meshes = NETLOFT_REYNOLDS_IN_MESHES,  // Reynolds number ‖W‖ D/(ν (1 − S))
   solidity = NETLOFT_SOLIDITY,
   attack = NETLOFT_ATTACK,  // angle between flow and twine or netting [rad]
 };
 
-/// Names of parameters that decide whether a range of validity applies. A parameter counts as given unless it
-/// is a real number equal to zero, an empty table or the first word of a choice.
+/// Conditions for a range of validity, by names of parameters. A parameter counts as given unless it is a
+/// real number equal to zero, an empty table or the first word of a choice.
 struct Condition {
   const char* where = nullptr;   // the range applies only if this parameter is given
   const char* unless = nullptr;  // the range does not apply if this parameter is given

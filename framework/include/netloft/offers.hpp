@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Structs that a plugin or an element offers for extensions of the plugin interface. Included by register.hpp
-// and element.hpp; nothing here is for authors.
+// and element.hpp; authors do not use it.
 #pragma once
 #include <cstdint>
 #include <cstring>
@@ -11,8 +11,8 @@
 
 namespace netloft::detail {
 
-/// The structs offered for extensions, found by the identifier of the extension. A struct is made when it is
-/// first used, so that code without extensions does not need their headers.
+/// The structs offered for extensions, found by the identifier of the extension. A struct is created at its
+/// first use, so that code that does not use an extension does not need its header.
 class Offers {
  public:
   /// Returns the struct that is offered under an identifier, for an extension whose offer is a single struct.
@@ -22,7 +22,7 @@ class Offers {
     offer.value.size = sizeof(Struct);
     return offer.value;
   }
-  /// Returns the rows that are offered under an identifier, for an extension whose offer is a List {size,
+  /// Returns the rows that are offered under an identifier, for an extension whose offer is a struct {size,
   /// count, rows}.
   template <class List>
   auto& rows(const char* id) {

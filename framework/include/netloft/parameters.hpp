@@ -15,7 +15,8 @@
 
 namespace netloft {
 
-/// How a real parameter acts. Strategies use it to find the parameters that make a scene easier to solve.
+/// The effect of a real parameter. Strategies use it to find parameters whose change makes a scene easier to
+/// solve.
 enum class Role : std::uint32_t {
   plain = 0,
   stiffness = NETLOFT_STIFFNESS,      // elastic forces are proportional to the parameter
@@ -28,8 +29,8 @@ struct Real {
   double lo = -std::numeric_limits<double>::infinity();
   double hi = std::numeric_limits<double>::infinity();
   double fallback = std::numeric_limits<double>::quiet_NaN();
-  // Name of an earlier parameter of the table. The default is then the value of that parameter times
-  // `fallback`.
+  // If this is the name of an earlier parameter of the table, the default is the value of that parameter
+  // times `fallback`.
   const char* fallback_of = nullptr;
   Role role = Role::plain;
 };
@@ -140,8 +141,7 @@ inline std::uint32_t bytes_of_kind(std::uint32_t kind) {
 
 /// The parameters of component C as its functions receive them: members that the table declares have the
 /// host's values, all others the defaults of the struct. (The host knows only the members in the table and
-/// leaves the others zero. If several plugins share a struct, each table may declare only some of its
-/// members.)
+/// leaves the others zero. Plugins may share a struct of which each declares only some members.)
 template <class C>
 class OwnParameters {
  public:
@@ -158,8 +158,8 @@ class OwnParameters {
     declared_ = std::move(declared);
     is_known_ = true;
   }
-  /// Returns the parameters. If no table describes the struct, it is returned unchanged, because the author's
-  /// own code has filled it, not the host.
+  /// Returns the parameters. If no table describes the struct, the struct is returned unchanged, because code
+  /// of the author has filled it.
   static Parameters from(const void* host) {
     if (!is_known_) return *static_cast<const Parameters*>(host);
     Parameters own{};

@@ -2,20 +2,21 @@
  *
  * The boundary between Netloft and a plugin: plain data and C functions, nothing else.
  *
- * A plugin is a shared object that exports one symbol, netloft_plugin_v1, which returns a description of what
- * is inside. No C++ type, exception or allocation crosses the boundary. No call may change the rounding mode
- * or end the program, and a plugin links to no library of Netloft. Most authors use netloft/element.hpp etc.
+ * A plugin is a shared object that exports one symbol, netloft_plugin_v1, which returns a description of its
+ * contents. No C++ type, exception or allocation crosses the boundary. No function of a plugin may change the
+ * rounding mode or end the program, and a plugin links to no library of Netloft. Most authors use
+ * netloft/element.hpp.
  *
  * This header is the core, which is sufficient for an element such as a rope or a float. Everything else is
  * an extension with its own header in netloft/ext/ and an identifier such as "netloft.waves/1". Hosts and
- * plugins ignore identifiers that they do not know: `extension` returns null for them, and their places in
+ * plugins ignore unknown identifiers: `extension` returns null for them, and their entries in
  * netloft_tile.inputs are null.
  *
- * Versions. A host accepts plugins of its own major version whose minor version is not newer; both change
- * only with this header. Every struct begins with its size. Fields are only ever appended, here and in
- * extensions. A host treats fields that a shorter struct lacks as zero; a plugin looks at the size of an
- * extension's struct before it reads an appended field. Any other change of an extension changes the number
- * in its identifier. The stride of an array of structs is the size of its first entry.
+ * Versions. A host accepts plugins of its own major version whose minor version is not newer; the version
+ * changes only if this header changes. Every struct begins with its size. Fields are only ever appended, here
+ * and in extensions. If a struct is too short for a field, a host takes the field as zero. A plugin checks
+ * the size of an extension's struct before it reads an appended field. Any other change of an extension
+ * changes the number in its identifier. The stride of an array of structs is the size of its first entry.
  *
  * Units are SI. In the world frame, z points up and is zero at the water surface.
  *
@@ -48,9 +49,9 @@ enum netloft_kind {
   NETLOFT_TABLE = 5    /* netloft_table, owned by the host */
 };
 
-/* A sampled curve: rows with ascending first column, `columns` numbers each, row by row. Over two arguments
- * (netloft_parameter.arguments) the rows are a grid: they ascend by the first column, and rows with the same
- * first value by the second column, which has the same values for each first value. */
+/* A sampled curve: rows with ascending first column, `columns` numbers each, row by row. With two arguments
+ * (netloft_parameter.arguments), the rows are a grid: they ascend by the first column, and among rows with
+ * the same first value by the second column. Every first value has the same second values. */
 typedef struct netloft_table {
   const double* values;
   uint32_t rows, columns;
@@ -59,9 +60,9 @@ typedef struct netloft_table {
 /* Roles of a parameter. A host uses them to solve easier problems before a difficult one. */
 enum {
   NETLOFT_REQUIRED = 1,
-  NETLOFT_STIFFNESS = 2,   /* elastic forces grow in proportion to it: a host may start with less */
+  NETLOFT_STIFFNESS = 2,   /* elastic forces are proportional to it; a host may start with less */
   NETLOFT_COMPRESSION = 4, /* stiffness of slack members; if it is zero, the elastic energy is convex */
-  NETLOFT_DAMPING = 8      /* tension per strain rate of the parts that NETLOFT_STIFFNESS describes */
+  NETLOFT_DAMPING = 8      /* tension per strain rate, for the parts that NETLOFT_STIFFNESS describes */
 };
 
 /* One value that a user may set. Its name may contain dots: "twine.EA" is EA in the table `twine`. */
@@ -69,24 +70,24 @@ typedef struct netloft_parameter {
   uint32_t size;
   uint32_t kind;
   const char* name;
-  const char* unit;                /* SI; "1": a pure number; "solver" or "strategy": a text that names one */
-  const char* doc;                 /* half a sentence: "axial stiffness of one twine" */
-  double fallback;                 /* default value, or, with `fallback_of`, a factor on that parameter */
-  double lo, hi;                   /* allowed range, both ends included */
-  uint32_t flags;                  /* NETLOFT_REQUIRED, NETLOFT_STIFFNESS and the other roles above */
-  uint32_t offset;                 /* position of the value in the parameter struct [bytes] */
+  const char* unit; /* SI; "1" for a pure number; "solver" or "strategy" for a text that names one */
+  const char* doc;  /* half a sentence: "axial stiffness of one twine" */
+  double fallback;  /* default value; with `fallback_of`, a factor by which that parameter is multiplied */
+  double lo, hi;    /* allowed range, both ends included */
+  uint32_t flags;   /* NETLOFT_REQUIRED, NETLOFT_STIFFNESS and the other roles above */
+  uint32_t offset;  /* position of the value in the parameter struct [bytes] */
   const char* fallback_of;         /* name of an earlier real, or null */
   const char* const* choices;      /* words, null-terminated: a CHOICE is one, a TEXT several joined by + */
   const char* fallback_text;       /* default of a NETLOFT_TEXT */
   const char* const* columns;      /* names of a table's columns, null-terminated */
   const char* const* column_units; /* units of the columns, in the same number */
-  uint32_t arguments; /* number of leading columns that are arguments of the others; 0 means 1; 2: a grid */
+  uint32_t arguments; /* number of arguments, which are the first columns: 0 or 1 for a curve, 2 for a grid */
   uint32_t reserved;
 } netloft_parameter;
 
 /* ---------------------------------------------------------------- elements */
 
-/* The nodes that an element connects; the low byte is their number. More are in ext/pairs.h, ext/bodies.h. */
+/* The nodes that an element connects; the low byte is their number. More: ext/pairs.h, ext/bodies.h. */
 enum netloft_stencil {
   NETLOFT_NODE = 1,
   NETLOFT_BAR = 2,
@@ -111,8 +112,8 @@ enum {
   NETLOFT_NEEDS_GRAVITY = 1 << 6, /* zero without gravity */
   NETLOFT_NEEDS_FLOW = 1 << 7,    /* zero without a current or motion */
   NETLOFT_NEEDS_MOTION = 1 << 8,  /* zero in a static analysis */
-  NETLOFT_FROM_OUTSIDE = 1 << 11, /* acts against something that is no node (seabed, wall, pressure): the
-                                     forces need not sum to zero, and may depend on the place */
+  NETLOFT_FROM_OUTSIDE = 1 << 11, /* acts against something that is not a node (seabed, wall, pressure):
+                                     forces may have a resultant and may depend on the position */
   NETLOFT_READS_TIME = 1 << 13,   /* force and energy may change with tile.time, even if nothing moves */
   NETLOFT_IS_WEIGHT = 1 << 15,    /* reports count it as weight in water */
   NETLOFT_IS_DRAG = 1 << 16       /* reports count it as force of the flowing water */
@@ -180,7 +181,7 @@ typedef struct netloft_create {
   uint32_t size;
   uint32_t count; /* elements */
   uint32_t part_count;
-  uint32_t at_fault;             /* set by `create`: the element it refuses */
+  uint32_t at_fault;             /* set by `create`: the index of the element that it refuses */
   const void* const* parameters; /* [part] filled parameter struct, valid until `destroy` */
   const uint32_t* part;          /* [element] which part it belongs to */
   const double* const* data;     /* [datum] -> [element][width] */
@@ -221,11 +222,11 @@ typedef struct netloft_plugin {
   uint32_t size;
   uint32_t abi_major, abi_minor;
   uint32_t flags;   /* NETLOFT_FAST_MATH if compiled with -ffast-math, which the host refuses */
-  const char* name; /* the stem of its file: "rope" in rope.so */
+  const char* name; /* the name of its file without ending: "rope" in rope.so */
   const char *version, *doc, *compiler;
   const netloft_element* elements;
   uint32_t element_count, reserved;
-  const char* const* required; /* extensions that a host must have to accept it, null-terminated; or null */
+  const char* const* required; /* extensions that a host must support, null-terminated; or null */
   const void* (*extension)(const char* id); /* what the plugin offers for an extension, or null */
 } netloft_plugin;
 

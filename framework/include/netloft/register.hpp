@@ -75,8 +75,7 @@ class Plugin {
     return table;
   }
 
-  /// A table of a component. It is converted when the plugin is complete, because the author's function may
-  /// still add to the table.
+  /// A table of a component. It is converted at the end, because the author's function may still add to it.
   struct Pending {
     virtual ~Pending() = default;
     virtual void describe(Plugin& plugin) const = 0;
@@ -103,7 +102,7 @@ class Plugin {
 };
 
 namespace detail {
-/// The one plugin that an author describes by the function Describe.
+/// The plugin that the function Describe of an author describes.
 template <void (*Describe)(Plugin&)>
 Plugin& plugin_of() {
   static Plugin plugin;
@@ -115,7 +114,7 @@ const void* offer_of(const char* id) noexcept {
   return plugin_of<Describe>().offer(id);
 }
 
-/// Returns the description of the plugin, which is made at the first call; nullptr if this fails.
+/// Returns the description of the plugin; the first call makes it. nullptr if this fails.
 template <void (*Describe)(Plugin&)>
 const netloft_plugin* describe_once(const char* name, const char* version, const char* doc) noexcept {
   try {

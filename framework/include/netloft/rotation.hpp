@@ -5,9 +5,9 @@
 //   ω = T ψ̇ = ψ̇ + b ψ×ψ̇ + c ψ×(ψ×ψ̇),   c = (φ − sin φ)/φ³                         spin, dR/dt = ω× R (2)
 //   α = dω/dt = T ψ̈ + ḃ ψ×ψ̇ + ċ ψ×(ψ×ψ̇) + c ψ̇×(ψ×ψ̇)                                                  (3)
 //   Tᵀm = m − b ψ×m + c ψ×(ψ×m)                    generalised force of a moment m: its power is m·ω (4)
-// a, b and c are smooth functions of s = φ². ψ and ψ(1 − 2π/φ) are the same rotation; T is singular where φ
-// is a full turn. Source: J. Argyris, An excursion into large rotations, Computer Methods in Applied
-// Mechanics and Engineering 32 (1982), 85-155.
+// a, b and c are smooth functions of s = φ². ψ and ψ(1 − 2π/φ) are the same rotation; T is singular if φ is a
+// full turn. Source: J. Argyris, An excursion into large rotations, Computer Methods in Applied Mechanics and
+// Engineering 32 (1982), 85-155.
 #pragma once
 #include <netloft/dual.hpp>
 #include <netloft/vec3.hpp>
@@ -29,7 +29,7 @@ struct RotationFactors {
 /// for s < 1.
 template <class T>
 void sum_rotation_series(const T& s, int n, T& sum, T& slope) {
-  constexpr int kTerms = 10;  // enough for double precision, because 1/21! is negligible
+  constexpr int kTerms = 10;  // enough for double precision: 1/21! is negligible
   sum = slope = T(0);
   double factorial = 1;
   for (int i = 2; i <= n; ++i) factorial *= i;
@@ -110,7 +110,7 @@ Vec3<T> moment_on_vector(const Vec3<T>& psi, const Vec3<T>& moment) {
 }
 
 /// Returns T⁻¹ω = ω − ψ×ω/2 + d ψ×(ψ×ω), d = (1 − a/2b)/φ²: the rate of the rotation vector ψ at the spin ω.
-/// With −ψ it returns the inverse of (4), the moment m from Tᵀm. The angle φ = ‖ψ‖ must not be a full turn.
+/// Called with −ψ, it inverts (4): it returns m for a given Tᵀm. The angle φ = ‖ψ‖ must not be a full turn.
 inline Vec3<double> rate_of_spin(const Vec3<double>& psi, const Vec3<double>& omega) {
   const double s = dot(psi, psi);
   const auto f = detail::rotation_factors<double>(s);

@@ -5,8 +5,8 @@
 //   static Outcome solve(const Parameters&, Problem&);
 //
 // that moves `problem.u()` towards r(u) = 0. Once per iteration it passes u to `progress`, which returns
-// whether to continue; u is unchanged if no step was accepted. The host counts, measures time and decides on
-// convergence; a solver does not.
+// whether to continue. If no step was accepted, it passes the same u again. The host counts, measures time
+// and decides on convergence; a solver does not.
 #pragma once
 #include <netloft/ext/solver.h>
 #include <netloft/parameters.hpp>
@@ -47,8 +47,8 @@ class Problem {
   bool symmetric() const { return p_.traits & NETLOFT_SYMMETRIC; }
   std::span<double> u() { return {p_.u, size()}; }
 
-  /// Computes residual [N] and energy [J] (zero if there is none) at u. `keep` selects a matrix that is
-  /// stored as well.
+  /// Computes residual [N] and energy [J] (zero if there is none) at u. `keep` selects a matrix to be
+  /// computed and stored as well.
   Evaluation evaluate(std::span<const double> u, double& energy, std::span<double> residual,
                       Matrix keep = Matrix::none) {
     const std::uint32_t matrix = keep == Matrix::exact    ? std::uint32_t{NETLOFT_WANT_TANGENT}
@@ -65,8 +65,8 @@ class Problem {
     return checked(p_.evaluate(p_.host, NETLOFT_WANT_ENERGY | NETLOFT_WANT_FORCE | NETLOFT_WANT_GRADIENT,
                                u.data(), &energy, gradient.data()));
   }
-  /// Computes residual and gradient at once, for little more than the cost of one of them. Their difference
-  /// is the residual of the forces without an energy.
+  /// Computes residual and gradient at once, at little more than the cost of one of them. Residual minus
+  /// gradient is the residual of the forces without an energy.
   Evaluation evaluate_both(std::span<const double> u, double& energy, std::span<double> residual,
                            std::span<double> gradient) {
     return checked(p_.evaluate_both(p_.host, u.data(), &energy, residual.data(), gradient.data()));
@@ -77,7 +77,7 @@ class Problem {
         keep == Matrix::exact ? std::uint32_t{NETLOFT_WANT_TANGENT} : std::uint32_t{NETLOFT_WANT_CONVEX};
     return checked(p_.evaluate(p_.host, want, u.data(), nullptr, nullptr));
   }
-  /// Factorises matrix + shift x metric, the metric being the linear stiffness.
+  /// Factorises matrix + shift x metric. The metric is the linear stiffness.
   Factor factorise(Matrix matrix, double shift) {
     return checked_factor(p_.factorise(p_.host, static_cast<int>(matrix), shift));
   }
@@ -125,7 +125,9 @@ class Problem {
     return static_cast<Factor>(status);
   }
   static void check(int status) {
-    if (status < 0) throw std::runtime_error("");  // the host reports the cause itself
+    if (status < 0)
+      throw std::runtime_error("");  // an empty message, because the host reports the cause
+                                     // itself
   }
   netloft_problem& p_;
 };

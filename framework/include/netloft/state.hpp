@@ -18,8 +18,8 @@ inline constexpr int kLanes = NETLOFT_LANES;
 
 enum class Status { ok = NETLOFT_OK, outside_domain = NETLOFT_OUTSIDE_DOMAIN };
 
-/// Thrown if the force of a term is not defined at a state, such as a bar of zero length; the solver then
-/// shortens its step.
+/// Thrown if the force of a term is not defined at a state, for instance that of a bar of zero length. The
+/// solver then shortens its step.
 struct OutsideDomain : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -49,7 +49,7 @@ struct Bed {
   }
 };
 
-/// One element's inputs in `evaluate`. Arrays that the traits of the term do not request are zero.
+/// One element's inputs in `evaluate`. An input is zero if the term has no trait that requests it.
 template <int Nodes>
 struct State {
   Points<double, Nodes> x{}, v{}, a{}, current{}, current_dz{};
@@ -114,8 +114,8 @@ class Family {
   };
   using Whole = typename WholeOf<E>::type;
 
-  /// The law that the user chose for a slot; slots are numbered in the order of their declaration. The
-  /// arguments of the law are the arrays of a netloft_law_tile.
+  /// The law that the user chose for a slot; slots are numbered in the order in which they were declared. The
+  /// law is called with the arrays of a netloft_law_tile.
   const netloft_bound_law& law(std::size_t slot) const { return laws_[slot]; }
 
   std::vector<Parameters> parameters_;  // parameters of each part

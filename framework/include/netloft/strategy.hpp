@@ -35,7 +35,7 @@ namespace netloft {
 using Displacements = std::vector<double>;  // displacements of the unknowns of a level of mesh [m]
 
 /// Moves every unknown by up to `amplitude` [m], which breaks every symmetry. The result is the same on every
-/// machine and differs for every `turn`.
+/// machine, and different for every value of `turn`.
 inline Displacements perturbed(Displacements u, double amplitude, int turn = 0) {
   constexpr double kSilver = 0.41421356237309505;  // shift between turns, from the silver ratio
   for (std::size_t i = 0; i < u.size(); ++i) u[i] += amplitude * scattered(i, kSilver * turn);
@@ -52,8 +52,8 @@ struct Variant {
   netloft_variant c() const { return {sizeof(netloft_variant), level, stiffness_cap, compression, current}; }
 };
 
-/// Tolerance of a stage that only gives the next stage its initial guess. An imbalance below it does not
-/// matter, because the difference between the easier problem and the scene is larger.
+/// Tolerance of a stage whose result is only an initial guess for the next stage. A smaller imbalance would
+/// be useless, because the difference between the easier problem and the scene is larger.
 inline constexpr double kOnlyAStart = kMatters;
 
 /// The task of one stage (one solve): a variant, its solver, the tolerance and the budget.
@@ -64,7 +64,8 @@ struct Ask {
   const char* parameters = nullptr;  // such as "method=classic,damping=1"
   double tolerance = 0;              // 0: the tolerance of the analysis
   double work = 0;                   // budget; 0: all that is left
-  double path = 0;  // limit of the sum of the steps' largest nodal displacements, per gear size; 0: none
+  double path = 0;  // limit of the path: sum of the largest nodal displacements of all steps, divided by the
+                    // gear size; 0: none
   unsigned iterations = 0;   // limit of iterations; 0: the limit of the analysis
   bool compensated = false;  // whether positions keep the digits that double precision rounds off
 };
@@ -80,7 +81,7 @@ enum class Ending {
 
 /// A solver or a strategy and its parameters in one text, as users write it: "auto:restarts=0;slice=100".
 struct Specification {
-  std::string name, parameters;  // parameters: as Ask::parameters and Search::call take them
+  std::string name, parameters;  // parameters, as in Ask::parameters and Search::call
 };
 
 inline Specification specification_of(const std::string& word) {
@@ -101,17 +102,17 @@ struct Stage {
   double rounding = 0;  // residual that rounding of the positions can cause [N]
   double spent = 0;     // work of the stage
   unsigned iterations = 0, factorisations = 0;
-  Displacements growing = {};                    // a disturbance that grows; empty: not known
+  Displacements growing = {};                    // a disturbance that grows; empty if not known
   double growth_rate = 0, growth_frequency = 0;  // [1/s], [rad/s]; frequency 0: it does not oscillate
 
   /// Whether the forces of the requested variant were evaluated at `u`. False if the forces of an element are
-  /// not defined there, or if another strategy was called and solved no stage of that variant; `u` is then
-  /// the initial guess.
+  /// not defined there. Also false if another strategy was called and solved no stage of that variant; `u` is
+  /// then the initial guess.
   bool has_forces() const { return load > 0; }
   /// Whether the end of the stage is an equilibrium, stable or unstable.
   bool is_stationary() const { return ending == Ending::converged || ending == Ending::unstable; }
   bool has_converged() const { return ending == Ending::converged; }
-  /// Whether the stage used up its budget after some work. This is false if it had no budget to begin with.
+  /// Whether the stage did some work and then ended because its budget was used up.
   bool was_cut_off() const { return ending == Ending::out_of_work && spent > 0; }
   /// Whether the equilibrium has a flutter instability, an oscillation that grows: a motion from there does
   /// not come to rest nearby.
@@ -152,9 +153,10 @@ class Search {
     return ended(ask, std::move(u), [&](netloft_stage& stage) { return s_.solve(s_.host, &stage); });
   }
   /// Lets another strategy bring a variant to equilibrium from `u`, with a budget of its own (Ask::work).
-  /// Returns the answer of that strategy, or the one that the host chose among several. Without an answer, it
-  /// returns the point of the variant that came closest to balance, or the initial guess. The ending is then
-  /// that of the last stage of the variant, and out_of_work if that stage was cut off or no work is left.
+  /// Returns the answer of that strategy, or the answer that the host chose if there are several. If there is
+  /// no answer, the result is the point of the variant closest to balance, or the initial guess, and the
+  /// ending is that of the last stage of the variant (out_of_work if that stage was cut off or no work is
+  /// left).
   Stage call(const char* strategy, const char* parameters, const Ask& ask, Displacements u) {
     return ended(ask, std::move(u),
                  [&](netloft_stage& stage) { return s_.call(s_.host, strategy, parameters, &stage); });
@@ -183,7 +185,7 @@ class Search {
     return u;
   }
   /// Calls method(netloft_members&, u) on the members of a variant (lines that bear tension, ext/members.h).
-  /// The method changes u; the changed u is returned.
+  /// The method changes u. Returns the changed u.
   template <class Method>
   Displacements with_members(const Ask& ask, Displacements u, Method&& method) {
     u.resize(size(ask.variant.level));
@@ -200,9 +202,9 @@ class Search {
   void decline(const char* why) { std::snprintf(s_.message, s_.message ? s_.message_size : 0, "%s", why); }
 
   /// Largest force on a node, along one axis, of all elastic forces that are not those of members: of meshes
-  /// held open, of bent ropes and netting [N]. It is zero unless they hold the gear in the shape `u`, an
-  /// equilibrium of the scene itself: unless the tangent of all other forces is not positive definite. All
-  /// forces must have an energy.
+  /// held open, of bent ropes and netting [N]. The point `u` must be an equilibrium of the scene itself, and
+  /// all forces must have an energy. The result is zero if the tangent of all other forces is positive
+  /// definite, because the gear then keeps its shape without these forces.
   double bending(const Displacements& u) { return s_.bending(s_.host, u.data()); }
   double work_left() { return s_.work_left(s_.host); }
   /// Reports an equilibrium of the scene itself. May be called again for another equilibrium.
@@ -289,10 +291,10 @@ int explain_strategy(const void* parameters, netloft_search* search, char* text,
 
 /// Describes one strategy to the host. `needs` are traits that the search must have.
 ///
-/// The value of a parameter declared by `strategy` or `solver` is a Specification. If there is no such
-/// strategy or solver, or its parameters are wrong, the host refuses the value before anything is solved. In
-/// C, such a parameter is a text whose `unit` is "strategy" or "solver"; a parameter declared by `several` is
-/// a text with `choices`.
+/// The value of a parameter declared by `strategy` or `solver` is a Specification. Before anything is solved,
+/// the host refuses a value that names no existing strategy or solver, or wrong parameters of it. In C, such
+/// a parameter is a text whose `unit` is "strategy" or "solver". A parameter declared by `several` is a text
+/// with `choices` in C.
 template <class S>
 class StrategyTable : public ParameterTable<typename S::Parameters> {
   using P = typename S::Parameters;

@@ -20,7 +20,7 @@ struct Vec3 {
   friend Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
 };
 
-/// Whether a type is a Vec3. The operator * is not defined for two of them: use dot or cross.
+/// Whether a type is a Vec3. The operator * is not defined for two vectors: use dot or cross.
 template <class S>
 inline constexpr bool is_vector = false;
 template <class T>

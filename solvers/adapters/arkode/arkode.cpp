@@ -19,7 +19,7 @@ namespace {
 using namespace sundials;
 
 /// A method table of ARKODE, and the power of the step h to which the error (4) of arkode.hpp is
-/// proportional. (4) is the difference of two formulas; the power is one more than the lower of their orders.
+/// proportional. (4) is the difference of two formulas, and the power is the lower of their orders plus one.
 struct Method {
   ARKODE_DIRKTableID table;
   double error_order;
@@ -49,7 +49,7 @@ void check(int status, const Host& host) {
   if (status != ARK_SUCCESS) throw std::runtime_error("ARKODE: " + host.complaint);
 }
 
-/// Gives y' at the start of the step. For the later stages, ARKODE deduces y' from (3) of arkode.hpp.
+/// Gives y' at the start of the step. ARKODE computes y' of the later stages by (3) of arkode.hpp.
 int give_rate(double t, N_Vector, N_Vector rate, void* host) {
   return guarded<Host>(host, [&](Host& h) {
     if (t != h.motion.t()) throw std::runtime_error("ARKODE asks for a rate within its step");

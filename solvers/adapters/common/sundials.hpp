@@ -9,14 +9,15 @@
 #include <span>
 #include <type_traits>
 
-// Shared by the adapters to SUNDIALS: owners of its objects, and the return values of callbacks.
+// Code that the adapters to SUNDIALS share: owners of SUNDIALS' objects, and return values of callbacks.
 namespace netloft::sundials {
 
 /// Return values of callbacks: SUNDIALS tries a shorter step after a positive value, and stops after a
 /// negative one.
 enum { kDone = 0, kRecoverable = 1, kStop = -1 };
 
-/// Runs a callback on its host. No exception may pass through SUNDIALS; `failure` of the host stores it.
+/// Runs a callback on its host. No exception may pass through SUNDIALS; it is stored in `failure` of the
+/// host.
 template <class Host, class Work>
 int guarded(void* host, Work&& work) noexcept {
   try {

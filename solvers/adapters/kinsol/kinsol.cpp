@@ -38,8 +38,8 @@ int compute_residual(N_Vector u, N_Vector r, void* host) {
   });
 }
 
-/// KINSOL requests the tangent at every accepted point and nowhere else. Therefore this is the place to
-/// report the point to the host.
+/// KINSOL requests the tangent at every accepted point and nowhere else. Therefore this function also reports
+/// the point to the host.
 int compute_tangent(N_Vector u, N_Vector, SUNMatrix, void* host, N_Vector, N_Vector) {
   return guarded<Host>(host, [&](Host& h) {
     if (h.problem.evaluate(h.view(u), h.energy, h.residual, Matrix::exact) != Evaluation::ok) return kStop;
@@ -136,8 +136,8 @@ Outcome outcome_of(int status, const Host& host) {
   }
 }
 
-/// Reports the last point to the host. compute_tangent has not reported it if KINSOL regards it as converged,
-/// because KINSOL then requests no tangent there.
+/// Reports the last point to the host. compute_tangent has not reported it if KINSOL regards it as converged
+/// and therefore requests no tangent there.
 Outcome report_end(Host& host, Outcome outcome) {
   const auto u = host.problem.u();
   if (host.problem.evaluate(u, host.energy, host.residual) != Evaluation::ok) return Outcome::left_domain;

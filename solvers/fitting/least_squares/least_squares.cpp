@@ -110,7 +110,7 @@ class Fitter {
     return true;
   }
 
-  /// Whether a parameter is at an end of its range and a descent would leave the range there.
+  /// Whether a parameter is at an end of its range, and S decreases outwards.
   bool is_pinned(std::size_t j) const {
     const double slope = gradient_(static_cast<Eigen::Index>(j)), at = point_.parameters[j];
     return (at <= priors_[j].low && slope > 0) || (at >= priors_[j].high && slope < 0);
@@ -140,7 +140,7 @@ class Fitter {
     return to;
   }
 
-  /// Tries ever shorter steps until one lowers the sum S, (1) of least_squares.hpp.
+  /// Tries shorter and shorter steps until one lowers the sum S, (1) of least_squares.hpp.
   Outcome descend() {
     while (fit_.steps < options_.iterations && damping_ < kMostDamping) {
       const Vector by = step();
@@ -191,7 +191,7 @@ class Fitter {
   const std::vector<Prior>& priors_;
   const std::vector<Measurement>& measured_;
   const FitOptions& options_;
-  Point point_, sloped_;  // the best point, and the last whose slopes are known
+  Point point_, sloped_;  // the best point, and the last point with known slopes
   Matrix slopes_, normal_;
   Vector gradient_;
   double damping_ = kDamping;

@@ -48,9 +48,9 @@ struct Fit {
   int steps = 0;
 };
 
-/// Fits `measured`. The model may predict additional values, which get deviations, too. `parameters` is empty
-/// if the model has no solution at the means of the priors, or no slopes at a point of the iteration. An
-/// interrupted fit is that at the best point whose slopes are known, if there is one.
+/// Fits `measured`. The model may predict additional values, which get deviations, too. If the model has no
+/// solution at the means of the priors, or no slopes at a point of the iteration, `parameters` is empty. If
+/// the fit is interrupted, the result is the best point with known slopes, if there is one.
 Fit fit(Model& model, const std::vector<Prior>& priors, const std::vector<Measurement>& measured,
         const FitOptions& options = {});
 

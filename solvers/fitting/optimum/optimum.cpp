@@ -15,21 +15,21 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 using Index = Eigen::Index;
 
-// Radius of the trust region, as a fraction of the range of a parameter: at the start, at most, and the
+// Radius of the trust region, as a fraction of the range of a parameter: at the start, the largest, and the
 // least, at which the search ends. The values are chosen.
 constexpr double kFirstRadius = 0.2, kLargestRadius = 0.5, kLeastRadius = 1e-6;
-// The ratio of actual to predicted decrease: the least at which a step is accepted, and those below and above
-// which the radius Δ shrinks and grows (Nocedal and Wright, algorithm 4.1, whose first number may be anything
-// from 0 to 1/4).
+// The ratio of actual to predicted decrease: a step is accepted from kAccepted on, the radius Δ shrinks below
+// kPoor and grows above kGood (Nocedal and Wright, algorithm 4.1, whose first number may be anything from 0
+// to 1/4).
 constexpr double kAccepted = 1e-3, kPoor = 0.25, kGood = 0.75;
 // Noise of the scaled f_0: equilibria have a relative tolerance of 1e-10, and figures lose a digit to
 // rounding.
 constexpr double kNoise = 1e-9;
-// A constraint counts as at its limit within this distance, as a fraction of its size: ten times the default
-// of the allowed violation.
+// A constraint counts as at its limit within this distance, as a fraction of its size: ten times the
+// violation that is allowed by default.
 constexpr double kAtLimit = 1e-5;
-// A parameter within this distance of an end of its range is set to that end, which interior points
-// (quadratic.hpp) approach but never reach. The value is chosen.
+// A parameter within this distance of an end of its range is set to that end, because an interior-point
+// method (quadratic.hpp) approaches the end but never reaches it. The value is chosen.
 constexpr double kAtEnd = 1e-8;
 
 Vector vector_of(const std::vector<double>& numbers) {
@@ -40,7 +40,7 @@ std::vector<double> numbers_of(const Vector& v) { return {v.data(), v.data() + v
 
 /// f and its slopes in the scaled numbers of (2) in optimum.hpp.
 struct Local {
-  Vector z;          // parameters over their ranges, from 0 to 1
+  Vector z;          // parameters as fractions of their ranges, from 0 to 1
   double value = 0;  // f_0, negative if it is maximised
   Vector rows;       // f_1, f_2, …
   Vector gradient;   // ∂f_0/∂z
@@ -50,7 +50,7 @@ struct Local {
   OptimumPoint point;
 };
 
-/// A limit of a constraint or a parameter: the low one (side −1) or the high one (1).
+/// One of the two limits of a constraint or a parameter: the low limit (side −1) or the high limit (1).
 struct Limit {
   Index of;
   int side;
@@ -106,7 +106,7 @@ class Search {
 
   Vector parameters_at(const Vector& z) const { return low_ + range_.cwiseProduct(z); }
 
-  /// The parameters at z; exactly the limits where z is 0 or 1.
+  /// The parameters at z. If z is 0 or 1, they are exactly the limits.
   std::vector<double> placed(const Vector& z) const {
     std::vector<double> p = numbers_of(parameters_at(z));
     for (std::size_t i = 0; i < p.size(); ++i)
@@ -191,7 +191,7 @@ class Search {
 
   double bound(const Limit& limit) const { return (limit.side < 0 ? row_low_ : row_high_)(limit.of); }
 
-  /// The end of its range at which a parameter is: −1 or 1; 0 if it is at none.
+  /// Whether a parameter is at the low end (−1) or at the high end (1) of its range, or at neither (0).
   static int end_of(double z) { return z <= 0 ? -1 : z >= 1 ? 1 : 0; }
 
   /// Finds λ and the remainder of a point.
@@ -203,7 +203,8 @@ class Search {
     for (Index i = 0; i < at.z.size(); ++i)
       if (const int end = end_of(at.z(i))) active.push_back({i, end});
     const auto count = static_cast<Index>(active.size());
-    Matrix all(count, at.z.size());  // slopes of everything that is at a limit, positive towards the inside
+    Matrix all(count, at.z.size());  // slopes of everything that is at a limit, positive if it increases away
+                                     // from the limit
     for (std::size_t k = 0; k < active.size(); ++k) {
       const auto [of, side] = active[k];
       const Vector slope = k < rows ? Vector(at.slopes.row(of)) : Vector::Unit(at.z.size(), of);
@@ -292,8 +293,8 @@ class Search {
     return true;
   }
 
-  /// Handles a rejected step. If it failed because constraints are curved, it is tried once more with the
-  /// violation at its end taken into account (second-order correction). Otherwise Δ shrinks.
+  /// Handles a rejected step. If it failed because constraints are curved, a step that corrects the violation
+  /// at its end is tried (second-order correction). Otherwise Δ shrinks.
   bool reject(const Local& next, const Vector& led, double length) {
     const bool is_curved = next.point.violation > violation(led) + options_.feasibility;
     if (!is_curved || !shift_.isZero(0)) return shorten(0.3 * length);

@@ -13,7 +13,7 @@ using Array = Eigen::ArrayXd;
 
 constexpr int kMostIterations = 100;  // a programme takes 10 to 30
 constexpr double kPrecise = 1e-14;    // product of slacks and multipliers at which the iteration ends
-// Fraction of the way to the nearest limit that a step covers. The value is chosen; it changes the number of
+// A step goes this fraction of the way to the nearest limit. The value is chosen; it changes the number of
 // iterations, not the answer.
 constexpr double kInside = 0.995;
 

@@ -20,7 +20,7 @@ struct QuadraticAnswer {
 };
 
 /// Solves (1) from `x`, which need not satisfy G x ≤ h, with an interior point method (S. Mehrotra, SIAM J.
-/// Optim. 2, 1992). The accuracy is that of rounding if some x satisfies all rows strictly.
+/// Optim. 2, 1992). If some x satisfies all rows strictly, only rounding limits the accuracy.
 QuadraticAnswer minimise(const Quadratic& quadratic, Eigen::VectorXd x);
 
 }  // namespace netloft

@@ -5,10 +5,10 @@
 
 namespace netloft {
 
-/// The energy-momentum method of J. C. Simo and N. Tarnow (ZAMP 43, 1992): the mean forces F̄ of a step do
-/// exactly the work by which energies change. The midpoint rule then neither creates nor loses energy, even
-/// if members become slack or taut within the step. With displacements u, velocities v, masses M and the step
-/// h:
+/// The energy-momentum method of J. C. Simo and N. Tarnow (ZAMP 43, 1992): the work of the mean forces F̄ of
+/// a step is exactly the change of the energies. The midpoint rule then neither creates nor loses energy,
+/// even if members become slack or taut within the step. With displacements u, velocities v, masses M and the
+/// step h:
 ///   M (v₁ − v₀)/h + F̄(u₀, u₁) = 0,  (u₁ − u₀)/h = ½ (v₀ + v₁)                                       (1)
 /// Motions too fast for h are damped in both equations, after F. Armero and I. Romero (Comput. Methods Appl.
 /// Mech. Engrg. 190, 2001). The damping is proportional to the difference between the rate of velocity and
@@ -18,10 +18,10 @@ namespace netloft {
 /// nothing to first order in h. At infinite frequency, the factor λ per step satisfies in both equations (1 +
 /// χ) λ² + (ν − 2 χ) λ + (ν − 1 + χ) = 0, which has the double root −ρ if
 ///   χ = (1 − ρ)²/((3 − ρ)(1 + ρ)),  ν = 2 χ + 2 ρ (1 + χ)                                           (3)
-/// With ρ = 1 there is no damping, ν = 2, and m is the acceleration of the trapezoidal rule; with ρ = 0 such
-/// motions vanish within two steps. If χ > 0, E + χ/(2 ν) (h² m·M m + Σ k (h m)²) never grows (E the energy),
-/// because damping takes from E at least the amount by which the second part grows. The scheme is of second
-/// order, with the error per step
+/// With ρ = 1, there is no damping, ν = 2, and m is the acceleration of the trapezoidal rule. With ρ = 0,
+/// motions too fast for h vanish within two steps. If χ > 0, E + χ/(2 ν) (h² m·M m + Σ k (h m)²) never grows
+/// (E the energy), because damping takes from E at least the amount by which the second part grows. The
+/// scheme is of second order, with the error per step
 ///   (ν/12 + χ/2) h² ((v₁ − v₀)/h − m)                                                              (4)
 struct EnergyMomentum {
   struct Parameters {

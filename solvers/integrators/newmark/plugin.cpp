@@ -8,7 +8,7 @@ namespace netloft::newmark {
 
 namespace {
 
-constexpr double kOwn = 1;  // this value of χ means the default χ of the corrector
+constexpr double kOwn = 1;  // value of χ that stands for the default of the corrector
 
 struct Scheme {
   double beta, gamma;  // (4)

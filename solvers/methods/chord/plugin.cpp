@@ -9,17 +9,17 @@
 namespace netloft {
 
 /// Newton's method that keeps a factorised matrix as long as it is good enough. It is meant for steps in
-/// time, whose problems are so similar that one factor can serve many.
+/// time, whose problems are so similar that one factor can be used for many of them.
 ///   (A + μ M) s = −r(u),  u ← u + t s,  G(t) = s·r(u + t s)                                  (1)
 ///   t = 1 if G(1) ≤ η |G(0)|, else where regula falsi finds |G(t)| ≤ η |G(0)|                (2)
 ///   A is made anew at u if G(0) is more than κ² times that of the step before, or |G(t)| > κ |G(0)|  (3)
 ///   μ ← 0.1 μ after t > 0.9, 10 μ after t < 0.25, and if s is uphill or no t satisfies (2)   (4)
-/// r is the residual at the unknowns u. A is the tangent, or its convex part where the tangent is not
-/// positive definite; M is the linear stiffness, in which slack twines resist, too: without a small μ M,
-/// steps overstretch slack twines. η is the option `slope`, κ is `contraction`. (2) is the line search of
-/// Matthies and Strang (Int. J. Numer. Meth. Eng. 14, 1979). It needs no energy, which inertia and drag do
-/// not have. ‖r‖ is not suitable, because it grows wherever slack twines tighten. −G(0) is the square of
-/// Newton's decrement, a length that no stiff twine dominates. The method begins with the factor that the
+/// r is the residual at the unknowns u. A is the tangent, or its convex part if the tangent is not positive
+/// definite. M is the linear stiffness, in which slack twines count as taut: without a small μ M, steps
+/// overstretch slack twines. η is the option `slope`, κ is `contraction`. (2) is the line search of Matthies
+/// and Strang (Int. J. Numer. Meth. Eng. 14, 1979). It needs no energy, which inertia and drag do not have.
+/// A line search in ‖r‖ is not suitable, because ‖r‖ grows when slack twines become taut. −G(0) is the square
+/// of Newton's decrement, a length that no stiff twine dominates. The method begins with the factor that the
 /// host holds from the previous problem.
 struct Chord {
   struct Parameters {
@@ -30,7 +30,7 @@ struct Chord {
 
 namespace {
 
-// Range of μ: damping never needs to exceed the linear stiffness by much, and a smaller μ has no effect.
+// Range of μ: damping need not exceed the linear stiffness by much, and a μ below the range has no effect.
 constexpr double kLargestDamping = 64, kSmallestDamping = 1e-8, kFirstDamping = 1e-3;
 constexpr double kDampingToKeep = 1e-5;  // a factor with more damping converges too slowly to be kept
 

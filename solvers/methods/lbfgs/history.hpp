@@ -28,7 +28,7 @@ class Memory {
     std::vector<double> s, y, By;
     double sy = 0, alpha = 0;
   };
-  /// The pair that was added i pairs before the newest.
+  /// The i-th pair before the newest one.
   Pair& pair(std::size_t i) { return pairs_[(newest_ + pairs_.size() - i) % pairs_.size()]; }
 
   std::vector<Pair> pairs_;

@@ -17,8 +17,8 @@ namespace {
 
 enum Preconditioner { stiffness, diagonal, none };
 
-/// Limit of the first step, which knows no curvature: its largest move of a node, in lengths of the largest
-/// element.
+/// Limit of the first step, for which no curvature is known: the largest displacement of a node, divided by
+/// the length of the largest element.
 constexpr double kFirstReach = 1;
 
 class Minimiser {

@@ -14,12 +14,12 @@ namespace netloft::lbfgs {
 /// row sums, or the unit matrix. wolfe_search.hpp finds t; if it fails, the memory of pairs is cleared; if it
 /// fails again, no step lowers E. (1), (2): J. Nocedal, "Updating quasi-Newton matrices with limited
 /// storage", Math. Comp. 35 (1980) 773-782; J. Nocedal and S. J. Wright, "Numerical Optimization", 2nd ed.,
-/// Springer 2006, alg. 7.4 and 7.5. (3): their eq. 7.20 in the metric of B; it takes a third fewer steps on
-/// netting than γ = 1. (4): cautious update, after D.-H. Li and M. Fukushima, SIAM J. Optim. 11 (2001)
+/// Springer 2006, alg. 7.4 and 7.5. (3): their eq. 7.20 in the metric of B; on netting, it takes a third
+/// fewer steps than γ = 1. (4): cautious update, after D.-H. Li and M. Fukushima, SIAM J. Optim. 11 (2001)
 /// 1054-1064.
 ///
 /// A step costs little more than an evaluation and a solve with the factor. Convergence takes hundreds of
-/// steps; the option `steps` is their number in one iteration of the host.
+/// steps; the option `steps` says how many of them count as one iteration of the host.
 struct Lbfgs {
   struct Parameters {
     std::int64_t memory = 0, preconditioner = 0, steps = 0;

@@ -4,8 +4,8 @@
 
 namespace netloft::newton {
 
-/// A search along a line of negative curvature, on which no model predicts how far to go. m is the merit ((3)
-/// of newton.hpp), and t = 1 moves the farthest node by one element. A step t is accepted if
+/// A search along a line of negative curvature, where no model predicts the best length of a step. m is the
+/// merit ((3) of newton.hpp), and t = 1 moves the farthest node by one element. A step t is accepted if
 ///   m'(t) < 0 and m(t) ≤ m(0) + noise                                                       (D)
 /// A small first t is halved until it is accepted. Then it is doubled until it is refused or reaches the
 /// limit of one move,
@@ -43,7 +43,8 @@ struct DescentSearch {
   }
 
  private:
-  /// The sample for a t at which forces are undefined; with its slope, the secant halves the bracket.
+  /// The sample for a t at which forces are undefined. Its slope is chosen such that the secant halves the
+  /// bracket.
   static Sample as_steep_uphill(double t, const Sample& low) { return {t, low.value, -low.slope}; }
 };
 

@@ -42,7 +42,7 @@ Direction Directions::find_symmetric(Iterate& iterate, double damping) {
 
 /// Tries K + σ M with a tiny σ. It changes Newton's step only in the few directions of negative curvature,
 /// along which NegativeCurvature leaves the point; a convex part would change the step in all directions. If
-/// K is far from definite, trying costs up to five factorisations. Therefore, if no σ succeeds or μ ≥
+/// K is far from definite, trying σ costs up to five factorisations. Therefore, after a failure or with μ ≥
 /// kMatters, σ is not tried again until K + μ M has been positive definite.
 std::optional<Direction> Directions::find_nearly_definite(Iterate& iterate, double damping) {
   if (!iterate.is_conservative() || !tests_near_definite_ || damping >= kMatters) {
@@ -64,7 +64,7 @@ Direction Directions::find_partly_convex(Iterate& iterate, double damping) {
   return solve(iterate, damping, "convex part");
 }
 
-/// Factorises K + θ (K₊ − K) (newton.hpp (2)) with half the last θ, which is doubled until the matrix is
+/// Factorises K + θ (K₊ − K) (newton.hpp (2)) first with half the last θ; doubles θ until the matrix is
 /// positive definite. A θ below kMatters would add no stiffness that matters.
 Factor Directions::factorise_partly_convex(Problem& problem, double shift) {
   for (convex_fraction_ = std::max(0.5 * convex_fraction_, kMatters); convex_fraction_ < 1;
@@ -78,7 +78,8 @@ Factor Directions::factorise_partly_convex(Problem& problem, double shift) {
   return factor;
 }
 
-/// Raises μ until s leads downhill, because a factor does not show whether an unsymmetric matrix is definite.
+/// Raises μ until s leads downhill. A successful factorisation is not enough, because it does not show
+/// whether an unsymmetric matrix is definite.
 Direction Directions::find_unsymmetric(Iterate& iterate, double damping) {
   for (const char* note = "";; note = "more damping", damping = range_.raised(damping)) {
     const Factor factor = iterate.problem().factorise(Matrix::exact, damping);

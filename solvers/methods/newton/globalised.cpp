@@ -17,8 +17,8 @@ constexpr double kTrusted = 0.5;
 
 /// Returns the damping μ for the next direction. μ falls if the residual accepted the step, or the merit
 /// accepted it with t > ½. μ is multiplied by 1/(2 t) if the merit accepted a shorter step, and rises if no
-/// step was found. After a step that the slope accepted, or along negative curvature alone, μ is the damping
-/// of that step's matrix.
+/// step was found. If the slope accepted the step, or if it was along negative curvature alone, μ becomes the
+/// damping of the matrix of that step.
 double damping_after(const Step& step, const DampingRange& range) {
   if (!step) return range.raised(step.damping);
   if (step.rule == Step::Rule::residual) return range.lowered(step.damping);
@@ -66,13 +66,15 @@ class Globalised {
     const double energy = iterate_.energy();
     if (direction.nearly_definite) step.leaves_saddle = leave_saddle(direction.damping);
     if (!step && is_at_round_off) step = at_round_off_.fall_back(iterate_, direction.damping);
-    if (step.leaves_saddle) by_merit_.add_gain(energy - iterate_.energy());  // here all forces have an energy
+    // an energy exists, because saddles are left only if all forces have one
+    if (step.leaves_saddle) by_merit_.add_gain(energy - iterate_.energy());
     if (step.rule == Step::Rule::energy || step.leaves_saddle) at_round_off_.reset_stall_count();
     return step;
   }
 
   /// Moves along negative curvature, (6) of newton.hpp, after a step by K + σ M, even if that step was not
-  /// accepted. The factor is that of the point before the step, because the direction changes little over it.
+  /// accepted. The factor of the point before the step is used, because the direction changes little in a
+  /// step.
   bool leave_saddle(double sigma) {
     const auto v = curvature_.find_direction(iterate_.problem(), sigma);
     return v && curvature_.leave_along(*v, iterate_);

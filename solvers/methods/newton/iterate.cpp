@@ -69,7 +69,7 @@ bool Iterate::try_move_if_residual_below(const Path& path, double t) {
   return false;
 }
 
-/// Evaluates at u(t), unless the last trial point has the same bits and `wanted` is known there.
+/// Evaluates at u(t), unless u(t) is bit for bit the last trial point and `wanted` is known there.
 bool Iterate::evaluate_trial(const Path& path, double t, Known wanted) {
   if (!move_trial(path, t) && known_ >= wanted) return true;
   known_ = Known::nothing;
@@ -99,7 +99,7 @@ void Iterate::accept_trial() {
   ++count_;
 }
 
-/// Moves the trial point to u(t). Returns false if it was there already.
+/// Moves the trial point to u(t). Returns false if the trial point was there already.
 bool Iterate::move_trial(const Path& path, double t) {
   bool moves = false;
   for (std::size_t i = 0; i < trial_.size(); ++i) {

@@ -23,8 +23,8 @@ struct Path {
   std::span<const double> s, a = {};
 };
 
-/// The point u of the iteration with its residual r, its energy E and the forces d without an energy; and a
-/// trial point on a path that begins at u.
+/// The point u of the iteration, with the residual r, the energy E and the forces d that have no energy. Also
+/// a trial point on a path that begins at u.
 class Iterate {
  public:
   explicit Iterate(Problem& problem);
@@ -38,12 +38,13 @@ class Iterate {
   double slope(const Path& path) const { return dot(r_, path.s); }
   /// The rounding error of the merit along a path [J].
   double round_off(const Path& path) const;
-  /// Whether a step along a path promises no decrease beyond rounding: whether the decrease that the slope
-  /// predicts is at most round_off(path).
+  /// Whether the decrease that the slope predicts for a step along a path is at most the rounding error
+  /// round_off(path).
   bool promises_round_off(const Path& path) const;
   std::size_t count() const { return count_; }
 
-  /// Evaluates at u and stores the tangent if `matrix` requests it. Returns false where forces are undefined.
+  /// Evaluates at u and stores the tangent if `matrix` requests it. Returns false if forces are undefined
+  /// there.
   bool evaluate(Matrix matrix = Matrix::exact);
   /// Computes the forces d = r − g at u that have no energy; g is the gradient of the energy E. The merit
   /// needs d.
@@ -55,8 +56,8 @@ class Iterate {
   /// Returns r at u(t), or nullopt if forces are undefined there.
   std::optional<std::span<const double>> residual_at(const Path& path, double t);
   /// Returns the merit m(t), (3) of newton.hpp, and its derivative; call split_residual() first. Forces at
-  /// the last trial point are kept, so that a second call for it, or a step to it, does not evaluate them
-  /// again.
+  /// the last trial point are kept, so that another call for this point, or a step to it, does not evaluate
+  /// them again.
   std::optional<Sample> merit(const Path& path, double t);
   /// Moves u to u(t) and evaluates the tangent there. If forces are undefined at u(t), returns false and
   /// leaves u and the tangent unchanged.

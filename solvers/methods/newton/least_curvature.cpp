@@ -109,7 +109,7 @@ void LeastCurvature::lengthen(Problem& problem) {
 }
 
 /// Makes w orthogonal to the basis and adds it there. This is done twice, because rounding leaves a remainder
-/// the first time.
+/// after the first time.
 void LeastCurvature::keep_orthogonal(Problem& problem) {
   for (int time = 0; time < 2; ++time)
     for (std::size_t i = 0; i < length_; ++i) axpy(-dot(w_, image(i)), basis(i), w_);

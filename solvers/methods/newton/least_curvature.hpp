@@ -20,7 +20,7 @@ class LeastCurvature {
   /// Limit of the steps. A search therefore needs memory for at most twenty vectors.
   static constexpr std::size_t kSteps = 10;
 
-  /// Reserves memory for `size` unknowns. Only a search fills it.
+  /// Reserves memory for `size` unknowns. It is not filled before the first search.
   explicit LeastCurvature(std::size_t size);
 
   /// Returns λ of (C1), or NaN if M cannot be used. The last factor must be that of K + `shift` M.

@@ -12,7 +12,8 @@ struct Sample {
   double t = 0, value = 0, slope = 0;
 };
 
-/// Least step t that is tried, the square root of the machine's epsilon: it alters half of the digits of u.
+/// Least step t that is tried, the square root of the machine's epsilon: such a step changes only the lower
+/// half of the digits of u.
 inline constexpr double kShortest = 0x1p-26;
 /// Step t for second derivatives of r by differences. The square root of kShortest balances the rounding of r
 /// and the error of the difference.
@@ -20,8 +21,8 @@ inline constexpr double kDifference = 0x1p-13;
 
 /// How far a search along a line refines its bracket.
 struct Refinement {
-  double margin = 0;  // least distance of a new t from either end, as a fraction of the bracket
-  int most = 0;       // limit of evaluations for a better t, once an acceptable t is found
+  double margin = 0;  // least distance of a new t from each end, as a fraction of the bracket
+  int most = 0;       // how many more t to evaluate, once an acceptable t is found
 
   double within(double fraction) const { return std::clamp(fraction, margin, 1 - margin); }
 };
@@ -33,10 +34,10 @@ struct LineSearch {
 
   /// The best t in (0, 1] found:
   ///   m(t) ≤ m(0), and |m'(t)| ≤ η |m'(0)|, or t = 1 and m'(1) < 0, or refinements spent      (L)
-  /// with η `flatness`, by secants of m' within a bracket, and by parabolas while m is too high (Nocedal &
-  /// Wright 2006, ch. 3). There is no condition of sufficient decrease: the usual 1e-4 of the slope changed
-  /// no bit of 537 hard cases. `start` is m at t = 0; `merit(t)` returns a Sample, or nullopt if forces are
-  /// undefined at t, which is then shortened. Returns nullopt if no t is found.
+  /// η is `flatness`. The search uses secants of m' within a bracket, and parabolas while m is too high
+  /// (Nocedal & Wright 2006, ch. 3). There is no condition of sufficient decrease: the usual one, with 1e-4
+  /// of the slope, changed no bit of 537 hard cases. `start` is m at t = 0; `merit(t)` returns a Sample, or
+  /// nullopt if forces are undefined at t, which is then shortened. Returns nullopt if no t is found.
   template <class Merit>
   std::optional<Sample> operator()(Merit&& merit, const Sample& start) const {
     std::optional<Sample> best, high;
@@ -102,7 +103,8 @@ struct SlopeSearch {
   }
 
  private:
-  /// The zero of the secant through the last two samples, which is exact behind a kink; otherwise the middle.
+  /// The zero of the secant through the last two samples, which is exact once both are beyond a kink; the
+  /// middle of the bracket if that zero is outside it.
   double next(const Sample& last, const Sample& here, double low, double high) const {
     const double t = here.t - here.slope * (here.t - last.t) / (here.slope - last.slope),
                  margin = refinement.margin * (high - low);

@@ -16,8 +16,9 @@ class NearlyDefinite {
  public:
   explicit NearlyDefinite(const DampingRange& range) : range_(range), sigma_(range.least) {}
 
-  /// Tries ever larger σ, from the last one divided by `factor` upwards. Returns the first for which K + σ M
-  /// is positive definite, and leaves that matrix factorised. Returns nullopt if K is not nearly definite.
+  /// Tries larger and larger σ, beginning with the last σ divided by `factor`. Returns the first for which K
+  /// + σ M is positive definite, and leaves that matrix factorised. Returns nullopt if K is not nearly
+  /// definite.
   std::optional<double> factorise(Problem& problem) {
     for (sigma_ = std::max(range_.least, sigma_ / range_.factor); sigma_ <= kMatters * (1 + kShortest);
          sigma_ *= range_.factor)

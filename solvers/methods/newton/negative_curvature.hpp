@@ -10,16 +10,16 @@
 namespace netloft::newton {
 
 /// Leaves a saddle along the direction of the most negative curvature, (6) of newton.hpp (J. J. Moré and D.
-/// C. Sorensen, Math. Programming 16, 1979), at most 1/`margin` elements far. All forces must have an energy.
+/// C. Sorensen, Math. Programming 16, 1979), by at most 1/`margin` elements. All forces must have an energy.
 class NegativeCurvature {
  public:
-  /// Reserves memory for the directions. Only a search fills it.
+  /// Reserves memory for the directions. It is not filled before the first search.
   NegativeCurvature(const Newton::Parameters& parameters, const Problem& problem);
 
   /// Returns the direction v of the most negative curvature of K, if there is any. The last factor must be
   /// that of K + σ M. The vector is valid until the next search.
   std::optional<std::span<const double>> find_direction(Problem& problem, double sigma);
-  /// Moves along v or −v until the energy no longer falls. Returns false if it does not fall at all.
+  /// Moves along v or −v as long as the energy falls. Returns false if it does not fall at all.
   bool leave_along(std::span<const double> v, Iterate& iterate);
 
  private:

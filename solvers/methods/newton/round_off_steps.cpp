@@ -60,7 +60,8 @@ Step RoundOffSteps::take_newton_step(Iterate& iterate) {
   return take_by_slope(iterate, s, 0);
 }
 
-/// Tries (7) of newton.hpp along s: the slope has significant digits where changes of the energy have none.
+/// Tries (7) of newton.hpp along s. It uses the slope, which still has significant digits when changes of the
+/// energy have none.
 Step RoundOffSteps::take_by_slope(Iterate& iterate, std::span<const double> s, double damping) {
   const Step none{.damping = damping};
   const Path path{s};

@@ -13,8 +13,8 @@
 
 namespace netloft::newton {
 
-/// Detects steps whose progress is only rounding: within `refinements` steps, −r·s, the decrease that a step
-/// s promises, must halve.
+/// Detects steps that only follow rounding errors. The decrease −r·s that a step s promises has to halve
+/// within `refinements` steps; otherwise the steps have stalled.
 class StallCount {
  public:
   explicit StallCount(std::int64_t most_steps) : most_steps_(most_steps) {}
@@ -41,11 +41,11 @@ class RoundOffSteps {
 
   /// Moves u by the whole step, or by the part of it that (7) finds.
   Step take(Iterate& iterate, const Direction& direction);
-  /// After a damped step that has not moved u, tries the undamped K, once at every point. If K is positive
+  /// If a damped step has not moved u, tries the undamped K, only once at each point. If K is positive
   /// definite or unsymmetric, its step is tried by take(). If K is nearly definite and all forces have an
   /// energy, u moves along negative curvature or, if there is none, by (7) along a step of K + σ M.
   Step fall_back(Iterate& iterate, double damping);
-  /// Allows (7) of newton.hpp again after stalled steps, because a step judged by the merit has moved u.
+  /// Allows (7) of newton.hpp again after stalled steps. Called when a step judged by the merit has moved u.
   void reset_stall_count() { stall_.reset(); }
 
  private:
@@ -59,7 +59,7 @@ class RoundOffSteps {
   NearlyDefinite& nearly_definite_;
   NegativeCurvature& curvature_;
   StallCount stall_;
-  std::optional<std::size_t> fell_back_at_;  // Iterate::count() when fall_back was last used
+  std::optional<std::size_t> fell_back_at_;  // Iterate::count() at the last use of fall_back
   std::vector<double> s_;                    // the step s that fall_back tries
 };
 

@@ -11,14 +11,14 @@ namespace netloft::relaxation {
 
 namespace {
 
-/// The limit of λ in (5) of relaxation.hpp. If λ exceeds it, heavier masses reduce λ to kWantedRate, half the
-/// limit; with the masses (1), half the limit is the bound of λ for the linear stiffness.
+/// The limit of λ in (5) of relaxation.hpp. If λ exceeds it, masses are raised such that λ becomes
+/// kWantedRate. This is half the limit, the bound of λ for the linear stiffness with the masses (1).
 constexpr double kLargestRate = 4, kWantedRate = 2;
-/// Least mass as a fraction of the heaviest: half of the digits of a double. Without it, nodes that the
-/// linear stiffness does not hold would have no mass and move too far.
+/// Least mass as a fraction of the heaviest: half of the digits of a double. Otherwise, nodes without linear
+/// stiffness would have no mass and would move too far.
 constexpr double kLightest = 0x1p-26;
-/// Limit of the increase of all masses: with heavier ones, a step moves nodes by less than rounding. If
-/// forces are undefined even then, the method fails.
+/// Limit of the increase of all masses, because heavier masses would move by less than rounding in a step. If
+/// forces are undefined even at this limit, the method fails.
 constexpr double kMostHeavier = 1 / std::numeric_limits<double>::epsilon();
 
 class Motion {
@@ -88,7 +88,7 @@ class Motion {
     kinetic_ = {kinetic_[1], kinetic_[2], 0.5 * sum};
   }
 
-  /// Starts by (2) with half an acceleration, as if the motion were reversed at u.
+  /// Starts by (2) with half an acceleration: the first velocity is that half a step after rest.
   void start_from_rest() {
     std::copy(problem_.u().begin(), problem_.u().end(), rest_.begin());
     double sum = 0;
@@ -124,7 +124,7 @@ class Motion {
     for (double& m : m_) m *= factor;
   }
 
-  /// Restarts from the point where the motion began, with heavier masses.
+  /// Restarts the motion from its beginning with heavier masses.
   bool return_to_rest() {
     std::copy(rest_.begin(), rest_.end(), problem_.u().begin());
     make_heavier(kLargestRate);

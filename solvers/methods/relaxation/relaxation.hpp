@@ -23,8 +23,8 @@ namespace netloft::relaxation {
 /// exceeds the limit of stability (5), and all masses are raised (P. Underwood, "Dynamic relaxation", in
 /// Computational Methods for Transient Analysis, 1983).
 ///
-/// A step costs one evaluation. Convergence takes thousands of steps; the option `steps` is their number in
-/// one iteration of the host.
+/// A step costs one evaluation. Convergence takes thousands of steps; the option `steps` says how many of
+/// them count as one iteration of the host.
 struct Relaxation {
   struct Parameters {
     std::int64_t steps = 0;

@@ -31,8 +31,8 @@ struct Row {
 /// variants of the hard cases of tests/stability.
 const Row kTable[] = {
     // The strategy auto itself solves the coarser mesh, starting from a still coarser mesh if there is one.
-    // It remains to find out on the finer mesh which members are slack: Newton's method does so member by
-    // member, tension/only for all members at once.
+    // On the finer mesh, the strategy has to find out which members are slack. Newton's method does this
+    // member by member, tension/only does it for all members at once.
     {{"coarse-to-fine", "coarse-to-fine", "by=auto:restarts=0,then=tension/only",
       "a coarser mesh costs a fraction of the work and leads near the solution; the step from there finds "
       "out which members are slack"},
@@ -43,8 +43,8 @@ const Row kTable[] = {
     {{"tension-stages", "tension/stages", "",
       "with tensions as unknowns, stiff members can turn far in one step"},
      [](const Kind& k) { return k.has_loaded_members; }},
-    // Relaxation takes more steps on a finer mesh and therefore follows the attempts above. For long lines
-    // with 12 000 unknowns it took eight times as long as tension-stages.
+    // Relaxation takes more steps on a finer mesh and is therefore tried after the attempts above. For long
+    // lines with 12 000 unknowns it took eight times as long as tension-stages.
     {{"relaxed", "relaxed", "", "elements stick and slide, and no tangent predicts that"},
      [](const Kind& k) { return k.sticks; }},
     {{"direct", "direct", "", "the start may be near the solution"}, [](const Kind&) { return true; }},
@@ -55,7 +55,8 @@ const Row kTable[] = {
      [](const Kind& k) { return !k.sticks; }},
 };
 
-/// The parts of the strategy that the user excludes by the option `without`, such as "restarts+direct".
+/// The parts of the strategy that the user excludes by the option `without`, such as `without` =
+/// "restarts+direct".
 std::vector<std::string> left_out(const Options& options) {
   std::vector<std::string> names;
   std::istringstream parts(options.without);

@@ -16,12 +16,13 @@ namespace {
 /// The growth g of slices in (1) of race.hpp. This value minimises the bound on the cost given there.
 constexpr double kGrowth = 2;
 
-/// Limit of iterations with compensated positions, which have additional digits. It leaves work for other
-/// attempts: of 144 gears in round_off_test.cpp, 140 converge without a limit, 140 with 8, 143 with 20.
+/// Limit of iterations with compensated positions, which have additional digits. Without a limit, other
+/// attempts would get too little work: of 144 gears in round_off_test.cpp, 140 converge without a limit, 140
+/// with a limit of 8, and 143 with 20.
 constexpr unsigned kStepsAtRoundOff = 20;
 
 /// Perturbation with which a stationary point is left, as a fraction of the element size. Equilibria closer
-/// together than this count as one. It is small because an element can be as long as a whole warp.
+/// together than this count as one. It is small, because a single element may represent a whole warp.
 constexpr double kBeside = 1e-3;
 
 double little(const Search& search) { return kBeside * search.element_size(); }
@@ -94,14 +95,15 @@ void Race::run_slice(Runner& runner, double slice) {
   stage = off_saddle(std::move(stage), beyond);
   const bool is_out = !stage.was_cut_off() && beyond.spent() < work;
   runner.fate = is_out ? Fate::out : is_near ? Fate::again_at_once : Fate::again;
-  // After the first equilibrium with flutter, the race continues for as much work as it has used so far.
+  // After the first equilibrium with flutter, the race goes on with as much work as it has used so far.
   if (stage.flutters()) budget_.end_after(budget_.spent());
   keep_better(with_compensated_positions(std::move(stage)));
 }
 
 /// Moves off an unstable equilibrium to one side and, if that does not converge, to the other side. If this
 /// leads to another unstable equilibrium that this race has not met before, both sides of the new one are
-/// tried instead. An equilibrium with flutter is not left, because the motion returns to it from either side.
+/// tried instead. An equilibrium with flutter is not left, because the gear would swing back to it from
+/// either side.
 Stage Race::off_saddle(Stage stage, const Budget& budget) {
   while (stage.ending == Ending::unstable && !stage.flutters()) {
     const std::size_t at = find_saddle(std::move(stage));
@@ -123,8 +125,8 @@ std::size_t Race::find_saddle(Stage stage) {
   return saddles_.size() - 1;
 }
 
-/// Solves from those sides of a saddle that have not been tried to their end. Returns the first equilibrium
-/// that was not met before, or nothing.
+/// Solves from the sides of a saddle whose search has not ended yet. Returns the first equilibrium that was
+/// not met before, or nothing.
 std::optional<Stage> Race::leave(std::size_t at, const Budget& budget) {
   const auto ask = [&] {
     return Ask{.name = "moved away from an unstable equilibrium", .work = budget.left()};
@@ -143,8 +145,9 @@ std::optional<Stage> Race::leave(std::size_t at, const Budget& budget) {
   return {};
 }
 
-/// Solves again with compensated positions if the residual is below the rounding of the positions. A few
-/// steps gain the additional digits or none do, because Newton's method doubles the number of correct digits.
+/// Solves again with compensated positions if the residual is below the rounding of the positions. Either a
+/// few steps are enough or none help, because Newton's method doubles the number of correct digits in each
+/// step.
 Stage Race::with_compensated_positions(Stage stage) {
   const bool is_rounded =
       stage.has_forces() && stage.residual <= stage.rounding && stage.ending != Ending::unstable;
@@ -155,9 +158,9 @@ Stage Race::with_compensated_positions(Stage stage) {
   return next.has_converged() && next.residual <= stage.residual ? std::move(next) : std::move(stage);
 }
 
-/// Keeps the better of two stages at an equilibrium: a converged one before an unstable one. Of two unstable
-/// ones, the one with flutter, about which the gear swings, is better; then the one of slower growth, then
-/// the better balanced one.
+/// Keeps the better of two equilibria. A converged one is better than an unstable one. Of two unstable ones,
+/// the better is the one with flutter, about which the gear swings; otherwise the one with slower growth;
+/// otherwise the one with the smaller residual.
 void Race::keep_better(const Stage& stage) {
   if (!stage.is_stationary()) return;
   const auto rank = [](const Stage& one) {

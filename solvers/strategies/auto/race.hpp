@@ -9,7 +9,7 @@
 
 namespace netloft::automatic {
 
-/// A budget of work: what a search may still spend, or a part of that.
+/// A budget of work: all work that is left for a search, or a part of it.
 class Budget {
  public:
   explicit Budget(Search& search, double end = 0) : search_(search), begun_(search.work_left()), end_(end) {}
@@ -48,16 +48,16 @@ class Race {
   const Displacements& start() const { return start_; }
 
  private:
-  /// The fate of an attempt. again_at_once: it was cut off close to balance and gets a slice of double
-  /// length at once.
+  /// The fate of an attempt. again_at_once: the attempt was cut off close to balance, and gets a slice of
+  /// double length at once.
   enum class Fate { out, again, again_at_once };
   struct Runner {
     Attempt attempt;
     Fate fate = Fate::again;
   };
 
-  /// An unstable equilibrium, from which a search leaves to either side. is_tried: whether the search on a
-  /// side has ended, so that more work would not change its result.
+  /// An unstable equilibrium, and the searches on its two sides. is_tried: whether the search on a side has
+  /// ended, so that more work would not change its result.
   struct Saddle {
     Stage stage;
     std::array<bool, 2> is_tried{};
@@ -77,7 +77,7 @@ class Race {
   Budget budget_;
   Displacements start_;
   std::vector<Runner> runners_;
-  std::vector<Saddle> saddles_;  // all that were met, so that none is left twice
+  std::vector<Saddle> saddles_;  // all saddles that were met, so that none is left twice
   Stage best_;                   // the best equilibrium so far
 };
 

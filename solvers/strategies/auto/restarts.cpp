@@ -10,8 +10,8 @@ namespace netloft::automatic {
 
 namespace {
 
-/// Removes the resistance to compression at the equilibrium `at`. Returns the largest force on a node that
-/// this leaves out of balance, relative to the largest load.
+/// Removes the resistance to compression at the equilibrium `at`. Returns the largest force on a node that is
+/// then unbalanced, relative to the largest load.
 double borne_by_compression(Search& search, const Stage& at) {
   return search.assess({.name = "what is in compression", .variant = {.compression = 0}}, at.u).imbalance();
 }
@@ -38,8 +38,8 @@ class Restarts {
   double left() const { return search_.work_left() - end_; }
   const Stage& best() const { return best_; }
 
-  /// Lets a strategy solve from `start` with the work that is left of this restart. The result is ignored if
-  /// it is the point of the best shape, bit for bit: the race has then made the same request before.
+  /// Lets a strategy solve from `start` with the work that is left for this restart. If the result is bit for
+  /// bit the best shape, it is ignored, because the race has made the same request before.
   void solve(const char* strategy, const Displacements& start) {
     if (left() <= 0) return;
     Stage next = search_.call(strategy, "", {.name = "restart", .work = left()}, start);

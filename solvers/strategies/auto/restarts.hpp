@@ -14,11 +14,11 @@ bool may_restart(const Search& search, const Options& options);
 /// energy, and if compression or bending bears more than kOnlyAStart of the load:
 ///   compression: parts in compression fold in several ways. The first restart is from the shape without
 ///     resistance to compression, all others are from perturbations of the best shape so far.
-///   bending, of meshes held open, of bent ropes or netting, if the shape would not be stable without it:
-///     strategies with tensions as unknowns crumple the netting on their way, and bending may keep it
-///     crumpled. The first restart is from `start`, the start of the search, all others are from
-///     perturbations of it: each from soft to stiff, which keeps bending in proportion to tension, and by the
-///     solver alone.
+///   bending (of meshes held open, of bent ropes or netting), if the shape would not be stable without it:
+///     strategies with tensions as unknowns may crumple the netting before they converge, and bending may
+///     keep it crumpled. The first restart is from `start`, the start of the search, all others are from
+///     perturbations of it: each is solved from soft to stiff, with bending in proportion to tension, and
+///     then by the solver alone.
 /// The option `everywhere` drops the conditions for the restarts because of compression. Each restart costs
 /// at most a slice of work more than the first equilibrium has cost (`spent`). The host chooses among the
 /// equilibria that are found.

@@ -11,8 +11,8 @@ using namespace netloft;
 /// Grid sequencing (nested iteration: W. Hackbusch, Multi-Grid Methods and Applications, 1985, section 5).
 /// The strategy `by` brings a coarser mesh of the same gear to equilibrium, possibly with still coarser
 /// meshes; from there, the strategy `then` solves the scene itself. A coarser mesh gets at most half of the
-/// work. If it has not converged by then, the strategy gives up and leaves the other half to its caller;
-/// otherwise each of several meshes could use up the budget before the next finer one began.
+/// work. If it has not converged by then, the strategy gives up and leaves the other half to its caller.
+/// Without this limit, a coarse mesh could use up the budget before the next finer mesh is tried.
 struct CoarseToFine {
   struct Parameters {
     const char *by = nullptr, *then = nullptr;
@@ -44,8 +44,8 @@ struct CoarseToFine {
 
  private:
   static constexpr const char* kFromCoarser = "from a coarser mesh";
-  /// Largest fraction of the work for the coarser mesh. With 1, the hard cases cost a fifth to a quarter more
-  /// factorisations than with ½; with ¼, they cost as many as with ½ (tests/bench/sensitivity.md).
+  /// Largest fraction of the work for the coarser mesh. With 1, the hard cases take a fifth to a quarter more
+  /// factorisations than with ½; with ¼, they take as many as with ½ (tests/bench/sensitivity.md).
   static constexpr double kMostOfCoarser = 0.5;
 
   /// Solves the scene by the strategy `then`. The start is assessed first, so that there is a result even if

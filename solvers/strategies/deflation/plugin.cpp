@@ -20,7 +20,7 @@ using namespace netloft;
 /// nonlinear partial differential equations, SIAM J. Sci. Comput. 37, 2015.) L is the size of an element;
 /// translations count in m, rotations in rad. A step moves no node by more than L. There is no other
 /// globalisation: the method is meant for stiff structures (struts, frames), stable or not, and seldom solves
-/// slack netting. A body that has rotated by a full turn is at another root of (1) with the same shape.
+/// slack netting. A body that rotates by a full turn has the same shape, but counts as another root.
 struct Deflation {
   struct Parameters {
     const char* by = nullptr;

@@ -5,7 +5,7 @@ namespace {
 
 using namespace netloft;
 
-/// Solves the scene itself from its start once, which shows the performance of a solver alone.
+/// Solves the scene itself once, from its start. This shows how well a solver does alone.
 struct Direct {
   struct Parameters {};
 

@@ -10,8 +10,8 @@ constexpr unsigned kAsManyAsItTakes = 10000000;
 
 /// Follows the motion M u̇ = −r(u), in which the linear stiffness M acts as viscosity, in implicit steps
 /// until it comes to rest, then solves the scene itself from there. Unlike Newton's method, the motion does
-/// not end at unstable equilibria. It is ended if its path becomes many times as long as the gear: the gear
-/// then goes in circles or away, and will not come to rest.
+/// not end at unstable equilibria. The strategy stops the motion if its path becomes many times as long as
+/// the gear, because the gear then moves in circles or away and will not come to rest.
 struct PseudoTime {
   struct Parameters {
     const char* solver = nullptr;

@@ -12,10 +12,10 @@ using namespace netloft;
 /// bars, but turns soft bars in one step. The scene is solved with a cap C on all axial stiffnesses,
 ///   C₁ = f F,  C_{k+1} = f C_k until C_k reaches the largest stiffness                    (1)
 /// with the factor f and the largest load F on a node (E. L. Allgower and K. Georg, Introduction to Numerical
-/// Continuation Methods, 2003, ch. 6). The first cap without an equilibrium is the last one; the scene itself
-/// is solved from the end of that stage. Each cap is solved to the tolerance of the scene: a small residual
-/// force can move slack netting between steel ropes far, and removing it costs the fewest iterations while
-/// the ropes are soft (tests/bench/sensitivity.md).
+/// Continuation Methods, 2003, ch. 6). If no equilibrium is found with a cap, no further cap is tried; the
+/// scene itself is then solved from the end of that stage. Each cap is solved to the tolerance of the scene:
+/// a small residual force can move slack netting between steel ropes far, and removing it costs the fewest
+/// iterations while the ropes are soft (tests/bench/sensitivity.md).
 struct StiffnessSteps {
   struct Parameters {
     double factor = 0;

@@ -7,7 +7,7 @@ namespace netloft::tension {
 
 /// Equilibrium of members that bear tension only, by an interior-point method. Two complementary points z and
 /// y of the second-order cone K (z ∘ y = 0, second_order_cone.hpp) state whether a member is slack or taut.
-/// They are solved for together with the positions u, so that no step has to guess which members are slack. A
+/// Solving for z, y and the positions u together means that no step has to guess which members are slack. A
 /// member has tension T, stiffness EA, unstretched length l₀, chord w, direction t, force vector q, and the
 /// number n and coefficients c of netloft_member; r are all other forces:
 ///   r(u) + Σ n c q = 0,  z = (1 + T/EA, w/l₀) ∈ K,  y = (T, −q) ∈ K                         (1)
@@ -23,18 +23,18 @@ namespace netloft::tension {
 ///   g = W (v \ (σ μ e − v∘v − W δz ∘ W⁻¹ δy)),  v = W z,  σ = (1 − a₀)³,  v \ x solves v ∘ y = x   (5)
 ///   a = `to_boundary` of the way to the boundary of K, at most a whole step                 (6)
 /// (Mehrotra's predictor and corrector for cones: E. D. Andersen, C. Roos, T. Terlaky, Math. Program. 95,
-/// 2003.) w is linear in u, so that the geometry of the members limits no step. Drag belongs to no convex
-/// problem; it is linearised at every step like all of r. The method fails if a step becomes shorter than 1 −
-/// `to_boundary`. It has converged if μ and the residual are less than 2⁻²⁶ of the load, half of the digits
-/// of a double; Newton's method finds the other digits in one step. The resistance of members to compression
-/// is neglected.
+/// 2003.) w is linear in u, so that steps need not be short because of the geometry of members. Drag does not
+/// fit into a convex problem; it is linearised at every step, like all of r. The method fails if a step
+/// becomes shorter than 1 − `to_boundary`. It has converged if μ and the residual are less than 2⁻²⁶ of the
+/// load, half of the digits of a double; Newton's method finds the other digits in one step. The resistance
+/// of members to compression is neglected.
 class InteriorPoint {
  public:
   /// The options, which strategies.cpp explains.
   struct Parameters {
     double to_boundary = 0;  // (6)
-    /// The fraction of the way to the boundary of K that a step leaves; a taut member starts with z₀ − ‖z̄‖
-    /// of this size.
+    /// A step leaves this fraction of the way to the boundary of K. A taut member starts with z₀ − ‖z̄‖ equal
+    /// to it.
     double room() const { return 1 - to_boundary; }
   };
 

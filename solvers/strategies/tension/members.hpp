@@ -28,7 +28,7 @@ struct Line {
   double f, a, b;
 };
 
-/// netloft_members with C++ types: the members of a scene, straight lines that bear tension, and all other
+/// netloft_members with C++ types: the members of a scene (straight lines that bear tension), and all other
 /// forces r(u). A member has the force vector f, and the number n and coefficients c of netloft_member.
 class Members {
  public:
@@ -80,7 +80,9 @@ class Members {
 
  private:
   static void check(int status) {
-    if (status < 0) throw std::runtime_error("");  // the host reports the cause itself
+    if (status < 0)
+      throw std::runtime_error("");  // an empty message, because the host reports the cause
+                                     // itself
   }
   netloft_members& m_;
 };

@@ -11,7 +11,7 @@ namespace netloft::tension {
 
 namespace {
 
-// Least damping μ that is used; a smaller μ is lost in the rounding of the matrix.
+// Least damping μ. A smaller μ would be less than the rounding error of the matrix.
 constexpr double kLeastDamping = std::numeric_limits<double>::epsilon();
 
 }  // namespace
@@ -75,14 +75,14 @@ void MixedNewton::follow_positions() {
   for (std::size_t e = 0; e < members_.size(); ++e) T_[e] = tension_at(e, geometry_[e].strain);
 }
 
-/// Computes r and its tangent, unless they are known from the last stage, which ended at this u. Returns
-/// false if elements cannot compute their forces.
+/// Computes r and its tangent, unless they are known because the last stage ended at this u. Returns false if
+/// elements cannot compute their forces.
 bool MixedNewton::find_rest(std::span<const double> u) {
   if (!knows_rest_) knows_rest_ = members_.evaluate(u, rest_);
   return knows_rest_;
 }
 
-/// Whether the stage has reached its end. Computes the residual, except in a stage that `is_between`.
+/// Whether the stage has reached its end. Computes the residual unless the stage `is_between`.
 bool MixedNewton::has_converged(const Stage& stage) {
   if (stage.is_between) return took_whole_step_;
   return find_residual() && is_balanced(stage.tolerance);
@@ -108,7 +108,8 @@ bool MixedNewton::is_balanced(double tolerance) const {
   return largest <= tolerance * reaction;
 }
 
-/// Computes matrix and right-hand side of (2) in mixed_newton.hpp. Returns false if the latter is not finite.
+/// Computes matrix and right-hand side of (2) in mixed_newton.hpp. Returns false if the right-hand side is
+/// not finite.
 bool MixedNewton::assemble() {
   for (std::size_t e = 0; e < members_.size(); ++e) {
     const Geometry& g = geometry_[e];
@@ -135,7 +136,7 @@ bool MixedNewton::find_step() {
   return all_finite(step_);
 }
 
-/// Largest rotation of a member in the whole step [rad].
+/// Largest rotation of a member if the whole step is taken [rad].
 double MixedNewton::largest_turn() const {
   double square = 0;
   for (std::size_t e = 0; e < members_.size(); ++e) {
@@ -161,8 +162,8 @@ void MixedNewton::take(const Stage& stage, std::span<double> u) {
     adapt_damping(a);
 }
 
-/// Updates the tensions by (3) of mixed_newton.hpp. If a step makes a slack member taut, its linearised
-/// stretch is arbitrary; therefore the strain is limited to kMatters.
+/// Updates the tensions by (3) of mixed_newton.hpp. If a step makes a slack member taut, the linearised
+/// stretch of the member is arbitrary; therefore its strain is limited to kMatters.
 void MixedNewton::move_tensions(double a) {
   for (std::size_t e = 0; e < members_.size(); ++e) {
     const Geometry& g = geometry_[e];

@@ -25,7 +25,7 @@ namespace netloft::tension {
 ///   and B. van Leer, J. Comput. Phys. 59 (1985) 232-246).
 class MixedNewton {
  public:
-  /// Largest μ. With this μ, D is as stiff as all members; a larger μ would only shorten the steps.
+  /// Largest μ. With this μ, D is as stiff as all members together; a larger μ would only shorten steps.
   static constexpr double kMostDamping = 1;
 
   /// The options of all stages, which strategies.cpp explains.
@@ -33,7 +33,7 @@ class MixedNewton {
     double factor = 0;  // factor by which μ falls and rises
   };
 
-  /// The task of one solve, in which the stiffness of every part may be reduced.
+  /// The task of one solve. The stiffness of parts may be reduced.
   struct Stage {
     const char* name = "";
     std::vector<double> factor;  // factor on EA and EA_c of each part, at most 1

@@ -4,10 +4,11 @@
 
 namespace netloft::tension {
 
-/// Brings a scene from a drawing to its equilibrium through softer scenes: first all stiffness has a small
-/// factor, then the stiffness of every part is limited to a multiple of its tension, then it is unchanged.
-/// Tensions are unknowns in all stages (mixed_newton.hpp). The limit of a part depends on its own tension,
-/// because a common limit would not soften parts with little tension.
+/// Brings a scene from its initial shape, such as that of a drawing, to equilibrium through softer scenes.
+/// First, all stiffnesses are multiplied by a small factor. Then the stiffness of every part is limited to a
+/// multiple of its tension, and at the end it is unchanged. Tensions are unknowns in all stages
+/// (mixed_newton.hpp). The limit of a part depends on its own tension, because a common limit would not
+/// soften parts with little tension.
 class Stages {
  public:
   /// The options, which strategies.cpp explains with their sources.
@@ -20,8 +21,8 @@ class Stages {
 
   Stages(const Parameters& parameters, netloft_members& members);
 
-  /// Solves from u, which it changes. Returns how the last stage ended. No stage follows if the first stage
-  /// does not converge, or if the host stops a stage.
+  /// Solves from u, which it changes. Returns how the last stage ended. If the first stage does not converge,
+  /// or if the host stops a stage, no further stage is solved.
   MixedNewton::Ending solve(std::span<double> u);
 
  private:

@@ -59,8 +59,8 @@ std::string Only::explain(const Parameters&, Search& search) {
          ": no step has to guess which are slack\nthe analysis' solver from there: all forces are unchanged";
 }
 
-// Damping is a fraction of the linear stiffness. Values described as fitted were chosen on four real gears,
-// from thousands of random sets of values and a grid: tests/validation/README.md, "How sure it is".
+// Damping is a fraction of the linear stiffness. Values described as fitted were chosen for four real gears,
+// from a grid and thousands of random sets of values: tests/validation/README.md, "How sure it is".
 void FromSoft::describe(StrategyTable<FromSoft>& t) {
   using P = Parameters;
   t.needs(NETLOFT_SEARCH_MEMBERS);
@@ -72,8 +72,8 @@ void FromSoft::describe(StrategyTable<FromSoft>& t) {
                        const char* doc, double least = 1e-16) {
     t.real(name, member, unit, doc, {.lo = least, .hi = 1e9, .fallback = fallback});
   };
-  // Least value of a factor that is applied repeatedly. With 1 the stages would never end; with 1.1 they rise
-  // from 1 to the default of `last` in 104 steps.
+  // Least value of a factor that is applied repeatedly. With 1, the stages would never end; with 1.1, a limit
+  // rises from 1 to the default of `last` in 104 stages.
   constexpr double kLeastGrowth = 1.1;
   add("softest", &P::softest, "1", 7e-4, "factor on all stiffness in the first stage; fitted");
   add("ratio", &P::ratio, "1", 5,

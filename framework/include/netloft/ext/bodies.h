@@ -5,9 +5,10 @@
  * A rigid body has two nodes in a tile: its origin x and, in rows 3 to 5, its rotation vector p [rad]. A
  * point r, in the axes of the body, is at x + R r in the world, where R is the rotation by the angle |p|
  * about p. Rows 3 to 5 of tile.v and tile.a are the first and second derivatives of p with respect to time.
- * Rows 3 to 5 of tile.force are minus the generalised force whose work on p is that of the moment [N m]; the
- * tangent has its partial derivatives. netloft/rotation.hpp has the formulas; with netloft/element.hpp,
- * authors need none of them. p may be longer than a full turn. Rows 3 to 5 of tile.current have no meaning.
+ * Rows 3 to 5 of tile.force are minus a generalised force [N m], which does the same work on p as the moment
+ * on the body; the tangent has its partial derivatives. netloft/rotation.hpp has the formulas; authors who
+ * use netloft/element.hpp do not need them. p may be longer than a full turn. Rows 3 to 5 of tile.current
+ * have no meaning.
  */
 #ifndef NETLOFT_EXT_BODIES_H
 #define NETLOFT_EXT_BODIES_H

@@ -2,9 +2,9 @@
  *
  * Water that a gear changes. An element with this extension is a flow: its shared unknowns
  * (ext/shared_unknowns.h) describe how the gear changes the water, for instance by how much netting slows it.
- * The host asks the flow for the velocity of the water at the netting in its reach, evaluates the drag there
- * with this velocity, and adds the drag to the equations of the unknowns. It computes all derivatives from
- * those of the drag and of the flow, so that the tangent is exact.
+ * The host asks the flow for the velocity of the water at the netting that it reaches, evaluates the drag of
+ * the netting with this velocity, and adds the drag to the equations of the unknowns. It computes all
+ * derivatives from those of the drag and of the flow, so that the tangent is exact.
  *
  * The flow's own terms are the other part of its equations. They are evaluated like those of any element.
  */
@@ -25,11 +25,11 @@ extern "C" {
 typedef struct netloft_flow_tile {
   uint32_t size;
   uint32_t count;
-  uint32_t part; /* the flow's part, in the order of `create`, whose unknowns these are */
+  uint32_t part; /* part of the flow to which the unknowns belong, in the order of `create` */
   uint32_t reserved;
   const double* unknowns; /* [unknown][64] */
   const double* current;  /* [3][64] velocity of the undisturbed water [m/s] */
-  const double* reach;    /* [64] how far the place is in reach of the flow: 0 not at all, 1 fully */
+  const double* reach;    /* [64] how much the flow affects the place: from 0, not at all, to 1, fully */
   double* velocity;       /* [3][64] velocity of the water [m/s] */
   double* d_current;      /* [9][64] dvelocity[r]/dcurrent[c] at 3r+c */
   double* d_unknown;      /* [unknown][3][64] dvelocity/dunknown */

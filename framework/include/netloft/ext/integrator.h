@@ -21,7 +21,7 @@ typedef struct netloft_motion {
   uint32_t unknowns;
   void* host;
   double t, h;                   /* [s] */
-  const double *u, *v, *a;       /* in: state at t; a is the a_new of the step before */
+  const double *u, *v, *a;       /* in: state at t; a is a_new of the step before */
   double *u_new, *v_new, *a_new; /* out: state at t + h */
   double* error;                 /* out: estimate of the error of u_new in this step [m]; zero if not set */
 
@@ -47,7 +47,7 @@ typedef struct netloft_motion {
    * addition, a member (ext/members.h) of stiffness k resists the change Dl of its length in the step by the
    * tension T. The host remembers a rate of stretch m of each member [m/s] and updates it after the step:
    *    T = damping/2 k (Dl - h m),   m <- m + memory (Dl/h - m)
-   * m is zero after a step at one end of which the member was slack. Returns the same as `solve`. */
+   * If a member is slack at either end of a step, its m is zero afterwards. Returns the same as `solve`. */
   int (*solve_between)(void* host, const double* v0, double cv, const double* a0, double ca, double damping,
                        double memory, double* u);
 } netloft_motion;
@@ -68,7 +68,7 @@ typedef struct netloft_integrator {
   /* Takes a step. Returns NETLOFT_OK, NETLOFT_OUTSIDE_DOMAIN (a shorter step may succeed) or NETLOFT_ERROR.
    */
   int (*step)(const void* parameters, netloft_motion* motion);
-  /* Order of the error estimate, which is proportional to this power of the step. */
+  /* The power of h to which the error estimate is proportional. */
   double (*order)(const void* parameters);
   /* Longest stable step [s] if the highest angular frequency is `omega` [rad/s]; 0: all steps are stable. */
   double (*stable_step)(const void* parameters, double omega);

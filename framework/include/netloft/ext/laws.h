@@ -16,8 +16,9 @@ extern "C" {
 
 /* Kinds of bodies to which a law can apply. */
 enum netloft_law_kind {
-  NETLOFT_TWINE_LAW = 1, /* force of the water on a twine, bar or rope, per metre of it */
-  NETLOFT_SCREEN_LAW = 2 /* force of the water on netting as a screen, per square metre of it */
+  NETLOFT_TWINE_LAW = 1, /* force of the water on a twine, bar or rope, per metre of its length */
+  NETLOFT_SCREEN_LAW =
+      2 /* force of the water on netting, treated as a screen, per square metre of its area */
 };
 
 /* Up to 64 twines or screens in a flow. Arrays are [component][64]. The law does not add but WRITES its
@@ -35,11 +36,11 @@ typedef struct netloft_law_tile {
   double* d_flow;          /* [9][64] dforce[r]/dflow[c] at 3r+c */
   double* d_direction;     /* [9][64] dforce[r]/ddirection[c] */
   double* d_solidity;      /* [3][64] */
-  const double* extent; /* [64] metres of twine or square metres of netting that a lane represents, as weights
-                           in reports (no force depends on them); null: not known */
+  const double* extent;    /* [64] length of twine [m] or area of netting [m2] that a lane represents: only a
+                              weight for reports; null: not known */
 } netloft_law_tile;
 
-/* Quantities of a flow in which a law may be valid over a range only. */
+/* Quantities for which a law may be valid in a limited range only. */
 enum netloft_law_quantity {
   NETLOFT_REYNOLDS = 0,           /* |flow| D/viscosity */
   NETLOFT_REYNOLDS_ACROSS = 1,    /* the same number for the part of the flow across a twine */
@@ -48,13 +49,13 @@ enum netloft_law_quantity {
   NETLOFT_ATTACK = 4 /* angle between the flow and the twine or the netting, 0 to pi/2 [rad] */
 };
 
-/* A range in which a law was measured. The host compares the flows with it and reports which fraction of a
- * gear is outside; the law itself returns a force everywhere. */
+/* A range in which a law was measured. The host reports for which fraction of a gear the quantity is outside
+ * the range. The law must return a force outside the range, too. */
 typedef struct netloft_validity {
   uint32_t size;
   uint32_t quantity;
   double lo, hi;
-  const char* source;         /* who measured: "Loland 1991" */
+  const char* source;         /* who measured it: "Loland 1991" */
   const char *where, *unless; /* names of parameters, or null: the range applies only if `where` is given, and
                                  not if `unless` is given. A parameter is given unless it is a real of value
                                  zero, an empty table or the first word of a choice */

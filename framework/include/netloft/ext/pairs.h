@@ -23,7 +23,8 @@ extern "C" {
 typedef struct netloft_rider {
   uint32_t size;
   uint32_t reserved;
-  const char* rides_on; /* element of the same plugin on whose pairs of neighbours this one is created */
+  const char*
+      rides_on; /* another element of the same plugin; this one is created on pairs of its neighbours */
 } netloft_rider;
 
 #ifdef __cplusplus

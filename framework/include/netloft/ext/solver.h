@@ -15,7 +15,7 @@ extern "C" {
 /* An additional value of `want`: residual of the conservative terms, which is the gradient of the energy. */
 #define NETLOFT_WANT_GRADIENT 32u
 
-/* Selects which matrix of the last evaluation is factorised. If INDEFINITE is added, any matrix that is not
+/* Which matrix of the last evaluation to factorise. If INDEFINITE is added, any matrix that is not
  * singular is accepted (LU); otherwise, a symmetric matrix that is not positive definite is refused at little
  * cost. */
 enum netloft_matrix { NETLOFT_EXACT = 0, NETLOFT_CONVEX = 1, NETLOFT_NONE = 2, NETLOFT_INDEFINITE = 16 };
@@ -59,7 +59,7 @@ typedef struct netloft_problem {
   int (*factorise)(void* host, int matrix, double shift);
   /* Solves with the last successful factorisation; rhs and x may be the same. */
   int (*solve)(void* host, const double* rhs, double* x);
-  /* y = (matrix + shift x metric) x, of the last evaluation. */
+  /* y = (matrix + shift x metric) x, with a matrix of the last evaluation. */
   int (*multiply)(void* host, int matrix, double shift, const double* x, double* y);
   /* Counts an iteration at an accepted point u with the given residual. Returns a netloft_progress. The last
    * evaluation need not have been at u. */

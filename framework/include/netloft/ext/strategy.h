@@ -17,7 +17,8 @@ extern "C" {
  * the roles of parameters (NETLOFT_STIFFNESS …) to find the parameters that each number changes. */
 typedef struct netloft_variant {
   uint32_t size;
-  uint32_t level; /* mesh: 0 is the scene's; each further one has about half as many cells along a side */
+  uint32_t
+      level; /* mesh: 0 is that of the scene; every next level has about half as many cells along a side */
   double stiffness_cap; /* [N] all stiffnesses of a part are lowered by one factor, so that none exceeds it;
                            0: unchanged */
   double compression;   /* factor on the stiffness of slack members, in [0, 1] */
@@ -30,7 +31,7 @@ enum netloft_search_trait {
   NETLOFT_SEARCH_FLOWS = 1 << 21,       /* there is a current */
   NETLOFT_SEARCH_COMPRESSION = 1 << 22, /* some stiffness of slack members is not zero */
   NETLOFT_SEARCH_MEMBERS =
-      1 << 23, /* `members` works: members bear tension, and all nodes move along x, y, z */
+      1 << 23, /* `members` can be called: the gear has members, and all nodes move along x, y, z */
   NETLOFT_SEARCH_BENDING = 1 << 25 /* some elastic forces are not those of members (`bending`) */
 };
 
@@ -66,7 +67,7 @@ typedef struct netloft_stage {
   netloft_variant variant;
   const char* name;       /* purpose of the stage in a few words, for the report */
   const char* solver;     /* "ptc"; null: the solver of the analysis, with its parameters */
-  const char* parameters; /* "method=classic,damping=1"; null: no others */
+  const char* parameters; /* "method=classic,damping=1"; null: none */
   double tolerance;       /* limit of the largest residual over the largest load; 0: as in the analysis */
   double work;            /* budget; 0: all that is left of the search */
   double path;            /* limit of the sum of largest nodal displacements / gear size; 0: none */
@@ -85,9 +86,9 @@ typedef struct netloft_stage {
   double growth_frequency; /* angular frequency of its oscillation [rad/s] */
 } netloft_stage;
 
-/* The members of a variant, separate from all its other forces, for methods in which the tension of a member
- * is an unknown. Vectors over all degrees of freedom have the unknowns first, then the held degrees of
- * freedom, whose residuals are reactions. */
+/* The members of a variant (lines that bear tension), separate from all other forces, for methods in which
+ * the tension of a member is an unknown. Vectors over all degrees of freedom have the unknowns first, then
+ * the held degrees of freedom, whose residuals are reactions. */
 typedef struct netloft_members {
   uint32_t size;
   uint32_t count;               /* members */
@@ -131,7 +132,8 @@ typedef struct netloft_search {
   uint32_t levels; /* number of meshes at most, at least one; see `size_of` */
   uint32_t traits; /* NETLOFT_CONSERVATIVE, NETLOFT_SYMMETRIC, netloft_search_trait */
   void* host;
-  const double* start; /* displacements to start from [unknowns]; null: from the positions of the scene */
+  const double*
+      start; /* initial displacements [unknowns]; null: start from the initial positions of the scene */
   double gear_size;    /* largest distance of nodes at the start [m] */
   double element_size; /* longest element at the start [m] */
   double load;         /* sum of the forces that drive the gear at the start [N] */
@@ -144,7 +146,8 @@ typedef struct netloft_search {
   /* Number of unknowns of a level of mesh; zero if there is no such level. */
   uint32_t (*size_of)(void* host, uint32_t level);
   int (*solve)(void* host, netloft_stage* stage);
-  /* Lets another strategy solve a stage: the stage's variant is its scene, and stage.work its budget. */
+  /* Lets another strategy solve a stage. The scene of that strategy is the variant of the stage, its budget
+   * is stage.work. */
   int (*call)(void* host, const char* strategy, const char* parameters, netloft_stage* stage);
   /* Interpolates displacements from one level of mesh to another. */
   int (*transfer)(void* host, uint32_t from, const double* u, uint32_t to, double* out);
@@ -165,9 +168,9 @@ typedef struct netloft_search {
    * all forces have an energy, otherwise the first. */
   int (*answer)(void* host, const double* u);
   /* Largest force on a node, along one axis, of all elastic forces that are not those of members: of meshes
-   * held open, of bent ropes and netting [N]. It is zero unless they hold the gear in the shape `u`, an
-   * equilibrium of the scene itself: unless the tangent of all other forces is not positive definite. All
-   * forces must have an energy. Costs one factorisation. */
+   * held open, of bent ropes and netting [N]. The point `u` must be an equilibrium of the scene itself, and
+   * all forces must have an energy. The result is zero if the tangent of all other forces is positive
+   * definite, because the gear then keeps its shape without these forces. Costs one factorisation. */
   double (*bending)(void* host, const double* u);
 } netloft_search;
 

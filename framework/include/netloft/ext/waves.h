@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * Waves. Their velocity is part of netloft_tile.current; this extension adds the acceleration and the surface
- * of the water. An element that reads them lists the identifier below in netloft_element.inputs; its place in
- * netloft_tile.inputs is null if there are no waves.
+ * of the water. An element that reads either of them lists the identifier below in netloft_element.inputs.
+ * The entry in netloft_tile.inputs is null if there are no waves.
  */
 #ifndef NETLOFT_EXT_WAVES_H
 #define NETLOFT_EXT_WAVES_H
@@ -18,7 +18,7 @@ extern "C" {
 #define NETLOFT_READS_WAVES (1u << 19) /* reads netloft_waves; its force may then change with tile.time */
 #define NETLOFT_NEEDS_WAVES (1u << 24) /* zero if there are no waves */
 
-/* The place in netloft_tile.inputs points to this struct. */
+/* The entry in netloft_tile.inputs points to this struct. */
 typedef struct netloft_waves {
   uint32_t size;
   uint32_t reserved;
