@@ -23,6 +23,12 @@ PRINTED = "--color always --json"
 COMMON = f"--plugins {PLUGINS} {PRINTED}"
 SCENE = "--set parts.rope.cells=20 --threads 1 --scene-plugins " + COMMON
 
+
+def until_it_serves(command):
+    """The command with its output, stopped as by Ctrl-C as soon as it has printed its address."""
+    return f"{command} > served & while kill -0 $! && ! grep -q http served; do sleep 0.05; done; kill -INT $!; wait $!; ended=$?; cat served; (exit $ended)"
+
+
 # What is typed, and what it says or which file it leaves. In this order; later ones read what earlier ones wrote.
 COMMANDS = (
     ("netloft --help", "calibrate"),
@@ -38,8 +44,8 @@ COMMANDS = (
     (f"netloft run {ROPE} --set parts.rope.cells=20 --start-from rope.hdf -o again.hdf", "written to again.hdf"),
     (f"cp rope.hdf kept.hdf.part; netloft run {ROPE} --overwrite -o kept.hdf", "written to kept.hdf"),
     (f"netloft plan {ROPE} {SCENE} --strategy auto:restarts=2 --solver newton", '"memory"'),
-    (f"timeout -s INT --preserve-status 3 netloft design {ROPE} --port 47113 --threads 1 --scene-plugins {COMMON}", "http://127.0.0.1:47113/"),
-    (f"timeout -s INT --preserve-status 3 netloft serve {ROPE} --port 47114 --threads 1 --scene-plugins {COMMON}", "http://127.0.0.1:47114/"),
+    (until_it_serves(f"netloft design {ROPE} --port 7113 --threads 1 --scene-plugins {COMMON}"), "http://127.0.0.1:7113/"),
+    (until_it_serves(f"netloft serve {ROPE} --port 7114 --threads 1 --scene-plugins {COMMON}"), "http://127.0.0.1:7114/"),
     (f"netloft list {COMMON}", "rope/bar"),
     (f"netloft describe rope/bar {COMMON}", "rope.EA"),
     (f"netloft schema {COMMON}", "$schema"),
