@@ -8,6 +8,15 @@
 #include "solvers/factorisation/shared_front.hpp"
 
 namespace netloft {
+namespace {
+
+/// Largest fraction of its entry on the diagonal at which a pivot counts as zero. A pivot is that entry minus
+/// squares: rounding leaves fractions of up to 1e-14 in singular matrices; the smallest pivot of the gear
+/// library is above 1e-10.
+constexpr double kRoundingOfPivot = 1e-12;
+
+}  // namespace
+
 void Room::resize(std::size_t count) {
   all_.reset();
   all_.reset(new double[count + kLine]);
@@ -76,15 +85,37 @@ Elimination Fronts::eliminate(std::size_t front, Workers* workers) {
   std::fill(panels_.at(f.panels), panels_.at(tree_->fronts[front + 1].panels), 0.0);
   std::ranges::fill(update, 0.0);
   set_entries(front);
+  if (rule_.positive) keep_diagonal(front);
   for (std::int32_t c = tree_->child_start[front]; c < tree_->child_start[front + 1]; ++c)
     matrix_kernels_.add_child(left_by(static_cast<std::size_t>(tree_->child[c])), panels, update.data());
   std::int32_t* exchanged = exchanged_.data() + f.first;
-  const Elimination e = workers ? eliminate_together(kernels_, panels, rule_, exchanged, *workers)
-                                : kernels_.eliminate(panels, rule_, exchanged);
+  Elimination e = workers ? eliminate_together(kernels_, panels, rule_, exchanged, *workers)
+                          : kernels_.eliminate(panels, rule_, exchanged);
+  if (rule_.positive && e.stopped_at < 0) e = first_cancelled(front);
   if (e.stopped_at < 0)
     workers ? update_together(kernels_, panels, update.data(), *workers)
             : kernels_.update(panels, update.data());
   return e;
+}
+
+/// Keeps the entries of the matrix on the diagonal of a front, which the panels hold before the updates of
+/// the children are added.
+void Fronts::keep_diagonal(std::size_t front) {
+  const Front& f = tree_->fronts[front];
+  const FrontPanels panels = panels_of(front);
+  for (std::int32_t k = 0; k < f.pivots; ++k)
+    by_place_[f.first + k] = panels.left[k * (left_stride(f.pivots, f.others) + 1)];
+}
+
+/// Finds the first pivot of a front of which rounding has left nothing: a fraction of at most
+/// kRoundingOfPivot of its entry on the diagonal of the matrix.
+Elimination Fronts::first_cancelled(std::size_t front) {
+  const Front& f = tree_->fronts[front];
+  const FrontPanels panels = panels_of(front);
+  for (std::int32_t k = 0; k < f.pivots; ++k)
+    if (!(panels.left[k * (left_stride(f.pivots, f.others) + 1)] > kRoundingOfPivot * by_place_[f.first + k]))
+      return {k};
+  return {};
 }
 
 /// Copies the entries of the matrix into the panels of a front, which are zero before.

@@ -55,6 +55,8 @@ class Fronts {
   /// The update of a front: C of (1) in front_tree.hpp, column by column.
   std::span<double> update_of(std::size_t front);
   void set_entries(std::size_t front);
+  void keep_diagonal(std::size_t front);
+  Elimination first_cancelled(std::size_t front);
   ChildUpdate left_by(std::size_t child);
 
   const FrontTree* tree_ = nullptr;

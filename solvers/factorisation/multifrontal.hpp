@@ -30,8 +30,9 @@ std::unique_ptr<Factorisation> make_multifrontal_factorisation(MakeSpare make_sp
                                                                int threads = 1);
 
 /// The same for symmetric positive definite matrices, which are given by their lower triangle: Q = 1, and the
-/// diagonal of U is positive. If the matrix is not positive definite, `column` of the result is the first
-/// unknown, in the order P, whose pivot is not positive.
+/// diagonal of U is positive. A pivot of which rounding has left nothing counts as zero. If the matrix is not
+/// positive definite, `column` of the result is the first unknown, in the order P, whose pivot is not
+/// positive.
 std::unique_ptr<Factorisation> make_definite_factorisation(OrderingMethod method = OrderingMethod::best,
                                                            int threads = 1);
 

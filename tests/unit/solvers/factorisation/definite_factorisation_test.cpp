@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <cmath>
 #include <random>
 
 #include "solvers/factorisation/foreseen_memory.hpp"
@@ -44,6 +45,33 @@ TEST(DefiniteFactorisation, TakesRandomMatricesIfAndOnlyIfADenseCholeskyFactoris
   }
   EXPECT_GT(taken, 50);
   EXPECT_LT(taken, 250);
+}
+
+/// Sets a matrix to a graph Laplacian of random weights, which is singular: its rows sum to zero.
+void make_laplacian(TestMatrix& net, std::mt19937& random) {
+  const SparsePattern& p = net.pattern;
+  for (double& value : net.value) value = -std::exp(static_cast<double>(random() % 7));
+  for (std::int32_t u = 0; u < p.size; ++u) net.value[diagonal(net, u)] = 0;
+  for (std::int32_t u = 0; u < p.size; ++u)
+    for (std::int32_t e = p.column_start[u]; e < p.column_start[u + 1]; ++e)
+      if (p.row[e] != u) {
+        net.value[diagonal(net, u)] -= net.value[e];
+        net.value[diagonal(net, p.row[e])] -= net.value[e];
+      }
+}
+
+TEST(DefiniteFactorisation, RefusesMatricesThatAreSingularButForRounding) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 300; ++i) {
+    TestMatrix net =
+        make_net_matrix({.rings = 3 + i % 20, .nodes_per_ring = 4 + i % 7, .diagonals = i % 2 == 0});
+    make_laplacian(net, random);
+    const auto factorisation = make_definite_factorisation();
+    factorisation->analyse(net.pattern);
+    EXPECT_EQ(factorisation->factorise(net.value).status, FactorStatus::not_positive_definite) << i;
+    for (std::int32_t u = 0; u < net.pattern.size; ++u) net.value[diagonal(net, u)] *= 1 + 1e-9;
+    EXPECT_EQ(factorisation->factorise(net.value).status, FactorStatus::ok) << i;
+  }
 }
 
 TEST(DefiniteFactorisation, NamesTheUnknownThatIsNotPositive) {
