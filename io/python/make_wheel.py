@@ -12,7 +12,7 @@ import tempfile
 import zipfile
 from pathlib import Path
 
-# Every Linux with glibc has these, by the rules for wheels (PEP 513, PEP 600).
+# By the rules for wheels (PEP 513, PEP 600), every Linux with glibc has these libraries.
 OF_THE_SYSTEM = re.compile(r"(ld-linux.*|libc|libm|libdl|librt|libpthread|libstdc\+\+|libgcc_s|libz)\.so(\..*)?")
 METADATA = """\
 Metadata-Version: 2.1

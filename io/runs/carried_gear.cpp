@@ -43,7 +43,7 @@ class Netting {
   }
   std::uint32_t node(std::size_t triangle, std::size_t k) const { return part_.nodes[3 * triangle + k]; }
 
-  /// Fills the grid of cells in which triangle_at() searches. triangle_at() needs this grid.
+  /// Fills the grid of cells that triangle_at() needs for its search.
   void make_grid() {
     for (const std::size_t k : {0u, 1u}) {
       const auto [low, high] = std::minmax_element((k ? v_ : u_).begin(), (k ? v_ : u_).end());

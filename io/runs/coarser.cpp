@@ -17,8 +17,8 @@ bool is_divided(const scenes::PartGeometry& part) { return !part.cells.empty(); 
 
 int half_of(int cells) { return (cells + 1) / 2; }
 
-/// Whether the cells of a part can be halved: it has enough of them, and none of its nodes is named by
-/// number.
+/// Whether the cells of a part can be halved: it must have enough cells, and nothing may refer to one of its
+/// nodes by number.
 bool can_halve(const scenes::PartGeometry& part, Halved which) {
   if (part.is_numbered) return false;
   const int fewest = part.cells.size() == 1 ? kFewestBars : kFewestAcross;
@@ -118,7 +118,7 @@ bool is_structured(const scenes::PartGeometry& part) {
   return part.nodes.size() == corners_of(part) || has_middles(part);
 }
 
-/// The place of node `own` of the part: its fraction along a rope, or its fractions across and along a panel.
+/// The place of node `own` of the part: the fraction along a rope, or the fractions across and along a panel.
 std::array<double, 2> shares_of(const scenes::PartGeometry& part, std::size_t own) {
   if (part.cells.size() == 1) return {static_cast<double>(own) / part.cells[0], 0};
   const bool is_middle = own >= corners_of(part);

@@ -19,14 +19,14 @@ namespace netloft::runs {
 
 namespace {
 
-constexpr int kFromElsewhere = 100;  // limit of iterations from an initial guess of the user
+constexpr int kFromElsewhere = 100;  // limit of iterations from an initial guess that the user gives
 // Largest force in a loose hold (one that only keeps the gear from drifting), as a fraction of the largest
-// load on a node. A search leaves forces below its tolerance at thousands of nodes; their sum in such a hold
-// is smaller.
+// load on a node. The forces that a search leaves at thousands of nodes are below its tolerance; their sum in
+// such a hold is smaller than this limit.
 constexpr double kLoadOfLoose = 1e-3;
 
-/// Reports to the caller the processor time that a search may take and, when destroyed, that there is no
-/// limit any more.
+/// Tells the caller how much processor time a search may take and, when this object is destroyed, that there
+/// is no limit any more.
 class AllowedTime {
  public:
   AllowedTime(const Watch& watch, double seconds) : watch_(watch) { announce(seconds); }
@@ -98,7 +98,7 @@ void reject_held_up(const scenes::LoadedScene& loaded, const Assembler& assemble
   }
 }
 
-/// Rejects equilibria that the model has, but the gear that it represents has not.
+/// Rejects equilibria of the model that the real gear cannot have.
 void reject_what_is_none(const scenes::LoadedScene& loaded, const Assembler& assembler, Solution& s) {
   if (!is_stationary(s)) return;
   reject_crossed(loaded, assembler, s);
@@ -125,7 +125,8 @@ Solution find_equilibrium(PreparedScene& scene, const Watch& watch, const std::v
   return s;
 }
 
-// If the scene finds its equilibrium by a damped motion, not a solver, the motion starts at rest from `u`.
+// If the equilibrium of the scene is found by a damped motion instead of a solver, the motion starts at rest
+// from `u`.
 Solution continue_equilibrium(PreparedScene& scene, const std::vector<double>& u, int iterations,
                               const Watch& watch) {
   const scenes::Analysis& analysis = scene.loaded().analysis;

@@ -10,8 +10,8 @@
 namespace netloft::runs {
 
 /// Finds the equilibrium with the strategy and the solver that the scene names, from displacements `from`
-/// (empty: the initial positions of the scene). If the search determined a quantity of the scene, such as the
-/// length of a rope, the scene takes its value (PreparedScene::adopt).
+/// (empty: the initial positions of the scene). If the search also determines a quantity of the scene, such
+/// as the length of a rope, the scene gets its value (PreparedScene::adopt).
 Solution find_equilibrium(PreparedScene& scene, const Watch& watch = {},
                           const std::vector<double>& from = {});
 
@@ -30,15 +30,15 @@ Solution find_equilibrium_near(PreparedScene& scene, const std::vector<double>& 
 /// result are valid for the motion, because both analyses number the unknowns in the same way.
 Solution find_start_of_motion(PreparedScene& scene, const Watch& watch);
 
-/// Assesses displacements `u` at which a search was broken off. The caller gives an assembler, because the
-/// assembler of the scene stays busy if a call of a plugin never returns.
+/// Assesses displacements `u` at which a search was broken off. The caller provides an assembler, because a
+/// call of a plugin that never returns keeps the assembler of the scene busy.
 Solution assess_point(const PreparedScene& scene, std::span<const double> u, Assembler& assembler);
 
-/// The reason why the solver that the scene names cannot solve this scene, for example because the solver
-/// needs an energy; nullopt if the solver can.
+/// The reason why the solver of the scene cannot solve it, for example that the solver needs an energy;
+/// nullopt if it can.
 std::optional<std::string> why_unfit(PreparedScene& scene);
 
-/// The attempts that the strategy will make, in their order, one line with a reason for each.
+/// The attempts that the strategy will make, in their order: one line for each, with the reason.
 std::string explain_strategy(PreparedScene& scene);
 
 }  // namespace netloft::runs

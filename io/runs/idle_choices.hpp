@@ -7,8 +7,8 @@
 namespace netloft::runs {
 
 /// Warns of settings without effect: parameters of forces that this analysis does not evaluate, and drag laws
-/// in still water. Parts with the same setting and the same reason share one warning, placed at the first of
-/// them.
+/// in still water. Parts with the same setting and the same reason share one warning, whose place is that of
+/// the first part.
 void warn_of_idle_choices(const scenes::LoadedScene& loaded, const ScenePlan& plan,
                           formats::Diagnostics& diagnostics);
 

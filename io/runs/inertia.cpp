@@ -49,7 +49,7 @@ std::string sentence(const Scene& scene, Registry& registry, const MissingInerti
 std::vector<SceneFault> find_missing_inertia(const Scene& scene, const ScenePlan& plan, Registry& registry,
                                              Assembler& assembler, bool is_explicit) {
   std::vector<SceneFault> faults;
-  std::set<std::string> parts;  // parts with a fault: one node of each is reported
+  std::set<std::string> parts;  // parts with a fault, because only one node of each is reported
   for (const MissingInertia& missing : netloft::find_missing_inertia(scene, plan, assembler, is_explicit)) {
     const std::string& part = scene.parts[scene.labels[missing.node].part].name;
     if (missing.body || parts.insert(part).second)

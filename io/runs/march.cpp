@@ -38,7 +38,7 @@ MarchResult march(PreparedScene& scene, const MarchWatch& outputs, const Watch& 
     limits.model = &model.emplace(work_of_steps(scene.assembler(), scene.factorisations()));
     limits.work = work;
   }
-  assert(from || a.dynamics.start_file.empty());  // the caller reads a start from a file
+  assert(from || a.dynamics.start_file.empty());  // the caller must read a start from a file
   std::optional<MarchState> start;
   if (!from && a.dynamics.from_equilibrium) {
     const Solution s = find_start_of_motion(scene, watch);

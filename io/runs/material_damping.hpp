@@ -8,12 +8,12 @@
 
 namespace netloft::runs {
 
-/// Decides whether the loss factors of materials count. They count in a motion, and if the stability of an
-/// equilibrium is judged by the motion after a small disturbance. They do not count if the scene says
-/// `material_damping` = false, or if a motion has `stiffness_damping` instead. They do not count either if
-/// the integrator is stable in short steps only, because the damping of stiff twines would make these steps
-/// far too short. Removes from the scene the loss factors that do not count, and those of parts that have
-/// another damping. Returns a sentence about the loss factors; an empty text if no part has a loss factor.
+/// Decides whether the loss factors of materials are used. They are used in a motion, and if the stability of
+/// an equilibrium is judged by the motion after a small disturbance. They are not used if the scene says
+/// `material_damping` = false, or if a motion has `stiffness_damping` instead. They are also not used if the
+/// integrator is stable for short steps only, because the damping of stiff twines would make these steps far
+/// too short. Removes unused loss factors from the scene, and loss factors of parts that have another
+/// damping. Returns a sentence about the loss factors; an empty text if no part has a loss factor.
 std::string choose_material_damping(Scene& scene, const scenes::Analysis& analysis, Registry& registry);
 
 /// Removes the loss factors from a static scene whose forces have an energy: its stability follows from the

@@ -22,7 +22,8 @@ constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 // matrices that the check of its stability holds in addition (framework/judging: find_growth).
 // tests/bench/memory.py compares them with measured memory.
 constexpr double kMatrices = 4, kVectors = 40, kMatricesOfMotion = 3;
-// 1 + 1/4 + 1/16 + …: strategies keep coarser meshes, each with a quarter of the nodes of the next finer one.
+// 1 + 1/4 + 1/16 + …: strategies also store coarser meshes, each with a quarter of the nodes of the next
+// finer mesh.
 constexpr double kWithCoarser = 4.0 / 3;
 // Vectors of positions and velocities in the Krylov space of the stability check
 // (framework/judging/growth.cpp).
@@ -42,7 +43,7 @@ Pages pages() {
 }
 
 /// Whether the strategy may solve the problem with the tensions of members as unknowns. The factor of that
-/// problem is kept beside the factor of the scene.
+/// problem is stored in addition to the factor of the scene.
 bool may_ask_for_tensions(PreparedScene& scene) {
   return !scene.loaded().analysis.strategy.empty() &&
          std::ranges::any_of(scene.assembler().families(), [](const auto& family) {

@@ -17,8 +17,8 @@ struct MemoryForecast {
 /// Orders and analyses the matrix pattern of the scene, as its first factorisation will. The forecast
 /// includes the factor of the scene, that of a strategy with tensions as unknowns, and the matrices and the
 /// Krylov space of the stability check. It excludes the coarser meshes of a strategy, and a second
-/// factorisation that takes over if the first one gives up. tests/bench/memory.py compares the forecast with
-/// the memory of runs.
+/// factorisation that is used if the first one fails. tests/bench/memory.py compares the forecast with the
+/// memory of runs.
 MemoryForecast foresee_memory(PreparedScene& scene);
 
 /// Memory available to this process [bytes]: its present memory, plus what the machine, its control group

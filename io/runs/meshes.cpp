@@ -10,7 +10,7 @@ namespace netloft::runs {
 
 namespace {
 
-// The number of cells is an int, which can be halved no more often than this.
+// The number of cells is an int and cannot be halved more often than this.
 constexpr unsigned kMostLevels = 32;
 
 /// Gives the free nodes of the coarse scene their initial positions, interpolated from those of the finer
@@ -67,7 +67,7 @@ std::unique_ptr<scenes::LoadedScene> Meshes::read_halved(const scenes::LoadedSce
     source_.changes = std::move(changes);
     return coarse;
   } catch (const formats::Interrupted&) {
-    return nullptr;  // the search is interrupted, too, and ends without this mesh
+    return nullptr;  // the interrupted search ends, too, and does not need this mesh
   }
 }
 

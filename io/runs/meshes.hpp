@@ -7,8 +7,8 @@
 
 namespace netloft::runs {
 
-/// The meshes of a scene for strategies that start on coarse ones. Level 0 is the scene itself; each next
-/// level has half as many cells along a side of a part, where cells can be halved (coarser.hpp). A mesh is
+/// The meshes of a scene for strategies that start on coarse ones. Level 0 is the scene itself; each further
+/// level has half as many cells along a side of a part, if the cells can be halved (coarser.hpp). A mesh is
 /// read on first use.
 class Meshes : public Levels {
  public:
@@ -28,7 +28,7 @@ class Meshes : public Levels {
   const scenes::LoadedScene& finest_;
   Registry& registry_;
   unsigned most_;
-  // The scenes of levels 1, 2, …; nullptr where the level does not exist.
+  // The scenes of levels 1, 2, …; nullptr if the level does not exist.
   std::vector<std::unique_ptr<scenes::LoadedScene>> coarser_;
 };
 

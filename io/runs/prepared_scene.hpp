@@ -49,8 +49,9 @@ class PreparedScene {
   /// start or its water. If the state is not `ready`, diagnostics() has the reasons. Throws
   /// formats::Interrupted if the user interrupts.
   State prepare(const std::function<void(scenes::LoadedScene&)>& change = {});
-  /// Prepares the scene with the mesh topology of another instance of it: the mesh is a smooth function of
-  /// the numbers of the net plan (SceneSource::instance()), and the assemblers share what they can.
+  /// Prepares the scene with the mesh topology of another instance of it: the mesh is then a smooth function
+  /// of the numbers of the net plan (SceneSource::instance()), and the assemblers share their data as far as
+  /// possible.
   State prepare_like(const PreparedScene& other);
   const formats::Diagnostics& diagnostics() const { return diagnostics_; }
 
@@ -92,9 +93,9 @@ class PreparedScene {
   Seconds seconds_;
 };
 
-/// The changes to the scene that an option chooses: `--solver newton:method=classic` sets analysis.solver and
-/// analysis.newton.method. `key` is "solver", "strategy" or "integrator". Throws std::invalid_argument with a
-/// sentence if the specification cannot be read.
+/// The changes to the scene that an option stands for. For example, `--solver newton:method=classic` sets
+/// analysis.solver and analysis.newton.method. `key` is "solver", "strategy" or "integrator". Throws
+/// std::invalid_argument with a sentence if the specification cannot be read.
 std::vector<formats::Change> choose_method(const std::string& key, const std::string& specification);
 
 }  // namespace netloft::runs

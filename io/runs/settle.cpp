@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kStepSolver = "chord";
 constexpr Limits kStepLimits{1e-8, 25, std::numeric_limits<double>::infinity(), nullptr};
-constexpr double kStepsFiner = 0.1;  // tolerance of a time step over that of the equilibrium
+constexpr double kStepsFiner = 0.1;  // tolerance of a time step, relative to the tolerance of the equilibrium
 
 }  // namespace
 

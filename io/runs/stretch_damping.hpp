@@ -6,8 +6,8 @@
 namespace netloft::runs {
 
 /// Adds the stiffness-proportional part of Rayleigh damping, C = β K, to all elements that have an axial
-/// stiffness EA [N] and a damping η [N s] of their stretch (tension per strain rate). Where the scene does
-/// not give η, it becomes
+/// stiffness EA [N] and a damping η [N s] of their stretch (tension per strain rate). If the scene does not
+/// give η, it becomes
 ///   η = β EA                                                                               (1)
 /// with β [s]. Parameters are recognised by their roles (flags), not by their names. The damping acts along
 /// the stretch only, so that rigid motions are not damped; β K would damp them, because K contains the

@@ -37,7 +37,7 @@ Tangent::Tangent(PreparedScene& scene, std::vector<double> x)
       u_(scene.assembler().displacements_to(x_)),
       problem_(scene.assembler(), scene.factorisations(), {}) {}
 
-/// Whether all quantities of the scene are known.
+/// Whether the scene leaves no quantity to the search.
 bool Tangent::is_defined() const {
   return !scene_.loaded().analysis.settles && scene_.loaded().scene.settings.empty();
 }
@@ -105,7 +105,8 @@ std::vector<double> motion_of(const Assembler& assembler, const std::vector<doub
 
 }  // namespace
 
-/// The motion of all degrees of freedom in a step whose unknowns move by du: held ones move with the scene.
+/// The motion of all degrees of freedom in a step whose unknowns move by du. Held degrees of freedom move as
+/// the scenes say.
 std::vector<double> Tangent::Step::motion(const std::vector<double>& du) const {
   std::vector<double> dx = motion_of(after.assembler(), b.x, du);
   for (std::size_t i = 0; i < dx.size(); ++i) dx[i] += b.x[i] - a.x[i];
@@ -137,7 +138,7 @@ std::optional<std::vector<double>> Tangent::between(PreparedScene& before, Prepa
                b = residual_at(after, moved({x_, {}}, dx, theta));
     if (!a || !b || !solve(difference(*b, *a), more)) return std::nullopt;  // (2)
     const double square = dot(more, more);
-    if (!(square < last)) break;  // members become slack and taut in turn
+    if (!(square < last)) break;  // no improvement: members become slack and taut in turn
     last = square;
     for (std::size_t i = 0; i < du.size(); ++i) du[i] += more[i];
     if (square <= kNoMore * kNoMore * dot(du, du)) break;

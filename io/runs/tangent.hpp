@@ -15,8 +15,8 @@ bool have_same_topology(const PreparedScene& a, const PreparedScene& b);
 struct ExactPlace {
   std::vector<double> x, x_low;
 };
-/// Moves a place by `times` dx; its x_low may be empty. The difference of two places that were moved from the
-/// same place has all digits of dx.
+/// Moves a place by `times` dx; its x_low may be empty. If two places are moved from the same place, their
+/// difference has all digits of dx.
 ExactPlace moved(const ExactPlace& from, const std::vector<double>& dx, double times);
 
 /// First-order changes of the equilibrium x of a scene when its values change a little. From the scene
@@ -28,13 +28,13 @@ class Tangent {
  public:
   Tangent(PreparedScene& scene, std::vector<double> x);
 
-  /// The change from the scene itself to `near`, over all degrees of freedom, the held ones included. nullopt
-  /// if K cannot be factorised, or if x cannot be evaluated in one of the scenes. nullopt also if the scene
+  /// The change from the scene itself to `near`, over all degrees of freedom, including held ones. nullopt if
+  /// K cannot be factorised, or if x cannot be evaluated in one of the scenes. nullopt also if the scene
   /// leaves quantities to the search (Scene::settings), because these would have to change as well.
   std::optional<std::vector<double>> towards(PreparedScene& near);
-  /// The change between the scenes `before` and `after`, with the scene itself between them at the fraction 1
+  /// The change between the scenes `before` and `after`. The scene itself is between them, at the fraction 1
   /// − θ of the way. A stiff member may be slack in one of the scenes if its length differs, which makes (1)
-  /// inaccurate. Further steps remove this error and that of rounding:
+  /// inaccurate. Further steps remove this error and rounding errors:
   ///   K ddx = −(r_after(x + θ dx) − r_before(x + (θ − 1) dx))                             (2)
   /// nullopt as for towards().
   std::optional<std::vector<double>> between(PreparedScene& before, PreparedScene& after, double theta);
@@ -42,17 +42,17 @@ class Tangent {
   /// positions y near its equilibrium, y − K⁻¹ r_near(y). nullopt as for towards().
   std::optional<std::vector<double>> corrected(PreparedScene& near, const std::vector<double>& y);
 
-  /// The growth of the change dx = between(before, after, theta) itself, per such change, if it is about to
-  /// diverge at a fold; 0 if it is not. If the stiffness alone changes along dx, (1) has the second
-  /// derivative
+  /// Relative growth of the change dx = between(before, after, theta) from one such change to the next, if dx
+  /// is about to diverge at a fold; 0 if it is not. If the stiffness alone changes along dx, (1) has the
+  /// second derivative
   ///   K d²x = −dK dx,   growth = dx·d²x / dx·dx                                            (3)
   /// Near a fold, where K has the null vector φ, every dx is parallel to φ and grows with the distance s to
   /// the fold as s^−½, in units of the change. Then d²x is parallel to dx, too, and
   ///   growth = 1/2s                                                                         (4)
-  /// s < 0 means that the fold is on the way from `after` to `before`. A d²x that is more across dx than
-  /// along it, in the sum of squares over the unknowns, is that of no fold. dK is the difference between K at
-  /// x and K a part of the change further. Of both sides, the one with the smaller dK dx counts: on the other
-  /// one, a member may become slack. nullopt as for towards().
+  /// s < 0 means that the fold is on the way from `after` to `before`. If d²x is more across dx than along
+  /// dx, in the sum of squares over the unknowns, there is no fold. dK is the difference between K at x and K
+  /// a fraction of the change away. This is computed on both sides, and the side with the smaller dK dx
+  /// counts, because a member may become slack on the other side. nullopt as for towards().
   std::optional<double> growth(PreparedScene& before, PreparedScene& after, double theta,
                                const std::vector<double>& dx);
 

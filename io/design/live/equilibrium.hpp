@@ -10,7 +10,7 @@
 
 namespace netloft::design {
 
-/// An equilibrium, and the scene that has it.
+/// An equilibrium, and the scene to which it belongs.
 struct Equilibrium {
   std::shared_ptr<runs::PreparedScene> scene;
   Solution solution;
@@ -18,8 +18,8 @@ struct Equilibrium {
   std::vector<double> points;  // positions of the nodes, 3 each [m]
 };
 
-/// A temporary folder, private to the user, in which equilibria become result files, because pictures are
-/// made from these. It is removed with this object.
+/// Writes equilibria as result files, from which pictures are made, to a temporary private folder. The folder
+/// is removed with this object.
 class EquilibriumStore {
  public:
   EquilibriumStore();

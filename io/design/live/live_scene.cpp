@@ -19,8 +19,8 @@ namespace netloft::design {
 
 namespace {
 
-// Limit of iterations to a neighbour. Steps of 5 % of the 83-112 take up to 10; where there is no
-// equilibrium, a step that gives up early is cheap, and questions halve it.
+// Limit of iterations for one step to a neighbouring value. Steps of 5 % take up to 10 with the 83-112. If
+// there is no equilibrium, giving up early is cheap, because the question then tries half the step.
 constexpr int kIterationsOfNeighbour = 60;
 
 Outcome::Status status_of(const Solution& solution) {
@@ -113,7 +113,7 @@ Outcome LiveScene::follow(const std::filesystem::path& file, const formats::Stor
   return outcome;
 }
 
-/// Reads the scene; nullptr if no equilibrium can be sought, which the outcome then says.
+/// Reads the scene; nullptr if the text has errors, which the outcome then contains.
 std::shared_ptr<runs::PreparedScene> LiveScene::prepare(const runs::CaseSource& source,
                                                         Outcome& outcome) const {
   auto scene = std::make_shared<runs::PreparedScene>(
@@ -137,14 +137,15 @@ std::shared_ptr<runs::PreparedScene> LiveScene::prepare(const runs::CaseSource& 
   return nullptr;
 }
 
-/// The scene of the last text on the mesh of the last equilibrium; nullptr if it cannot have it.
+/// The scene of the last text, on the mesh of the last equilibrium; nullptr if it cannot be divided in that
+/// way.
 std::shared_ptr<runs::PreparedScene> LiveScene::on_last_mesh() const {
   auto scene = std::make_shared<runs::PreparedScene>(source_, registry_, last_->scene->factorisations());
   const bool is_ready = scene->prepare_like(*last_->scene) == runs::PreparedScene::State::ready;
   return is_ready && runs::have_same_topology(*last_->scene, *scene) ? scene : nullptr;
 }
 
-/// Displacements at which the equilibrium of the scene is expected; empty if nothing is known of it.
+/// Displacements at which the equilibrium of the scene is expected; empty if there is no basis for a guess.
 std::vector<double> LiveScene::expected_place(const runs::PreparedScene& scene,
                                               const std::optional<MovedNumber>& moved, bool has_same_mesh) {
   if (!last_) return {};
@@ -156,13 +157,14 @@ std::vector<double> LiveScene::expected_place(const runs::PreparedScene& scene,
     if (!effect.motion.empty())
       return assembler.displacements_to(
           led(last_->solution.x, effect.motion, moved->to - effect.number.value));
-  } catch (const Refused&) {  // the number was not in the text before
+  } catch (const Refused&) {  // the last text did not contain the number
   }
   return assembler.displacements_to(last_->solution.x);
 }
 
-/// Says how far the equilibrium is from where the tangent led, and whether it has jumped: by the rule of
-/// studies::Branch, if it is noticeably off, and by more than it moved as a whole.
+/// Computes how far the equilibrium is from the place that the tangent predicted, and whether it has jumped.
+/// It has jumped, by the rule of studies::Branch, if this distance is noticeable and larger than the whole
+/// displacement.
 void LiveScene::compare(const Equilibrium& next, const std::vector<double>& expected, Outcome& outcome) {
   Assembler& assembler = next.scene->assembler();
   std::vector<double> ghost(assembler.start().begin(), assembler.start().end());
@@ -177,8 +179,8 @@ void LiveScene::compare(const Equilibrium& next, const std::vector<double>& expe
       Jump{off, went, switched_parts(*last_->scene, last_->solution.x, *next.scene, next.solution.x)};
 }
 
-/// Displacements at which a scene with another mesh has the shape of an equilibrium; empty if it has none of
-/// its parts.
+/// Displacements at which a scene with another mesh has the shape of an equilibrium; empty if both have no
+/// part in common.
 std::vector<double> LiveScene::carried_from(const Equilibrium& from, const runs::PreparedScene& to) const {
   try {
     return to.assembler().displacements(results::positions_from(store_.shape_of(from), to.loaded()));

@@ -15,7 +15,7 @@
 
 namespace netloft::design {
 
-/// A number of the scene that was moved, and nothing else.
+/// A change of the scene that consists of a new value for one number.
 struct MovedNumber {
   std::string path;
   double to = 0;  // in the unit in which it is written
@@ -27,10 +27,11 @@ struct Tangents {
   std::vector<double> motion;  // of the nodes, 3 each, per unit of the number [m]; empty: see effect.why_not
 };
 
-/// The tangent led elsewhere than the equilibrium is.
+/// An equilibrium that is not where the tangent predicted it.
 struct Jump {
-  double off = 0, moved = 0;  // largest distances of a node from its expected and from its last place [m]
-  std::string why;            // what changed on the way, as far as it is known
+  double off = 0, moved = 0;  // largest distances of a node from its predicted place and from its previous
+                              // place [m]
+  std::string why;            // what changed between the two equilibria, as far as it is known
 };
 
 /// The fate of a text.
@@ -39,37 +40,38 @@ struct Outcome {
   Status status = Status::wrong_input;
   formats::Diagnostics diagnostics = {};  // messages about the text
   std::string sentence = {}, at_fault = {};
-  bool has_same_mesh = false;            // nodes are those of the last equilibrium
-  bool has_own_mesh = true;              // the mesh is that of the text, and was not taken over
-  std::optional<double> ghost_off = {};  // distance between tangent and equilibrium, as in Jump [m]
+  bool has_same_mesh = false;  // whether the nodes are those of the last equilibrium
+  bool has_own_mesh = true;    // whether the mesh is made from this text, not kept from the last equilibrium
+  std::optional<double> ghost_off = {};  // largest distance from the predicted place, as Jump::off [m]
   std::optional<Jump> jump = {};
   double reading_seconds = 0, solving_seconds = 0;
 };
 const char* name_of(Outcome::Status status);
 
-/// The scene of a text that changes, and its equilibrium, continued from that of the text before. What does
-/// not converge leaves the last equilibrium in place. One thread only.
+/// A scene whose text changes, and its equilibrium. The search for each equilibrium starts from the one
+/// before; if it does not converge, the last equilibrium is kept. For use by one thread.
 class LiveScene {
  public:
   LiveScene(const std::filesystem::path& file, Registry& registry, int threads);
 
-  /// The mesh on which the equilibrium of a text is found. `own`: the one that any run of this text has.
-  /// `kept`: that of the last equilibrium where only one number has moved, because a net plan with other
-  /// numbers is divided anew, and a search on other nodes takes several times as long.
+  /// The mesh on which the equilibrium of a text is found. `own`: the mesh that any run of this text has.
+  /// `kept`: the mesh of the last equilibrium, if only one number has changed. A new mesh has other nodes, on
+  /// which the search takes several times as long.
   enum class Mesh { own, kept };
 
-  /// Reads the scene with these texts of its files, and finds its equilibrium. `moved`: the only difference
-  /// to the last text. When `interrupt` is set, the search ends with Status::interrupted.
+  /// Reads the scene with these texts of its files, and finds its equilibrium. `moved` is the only difference
+  /// from the last text, if known. When `interrupt` is set, the search ends with Status::interrupted.
   Outcome follow(const std::filesystem::path& file, const formats::StoredTexts& texts,
                  const std::optional<MovedNumber>& moved, const std::atomic<bool>& interrupt,
                  Mesh mesh = Mesh::own);
 
-  /// The last equilibrium, and the first one, with which others are compared; nullptr: none yet.
+  /// The last equilibrium, and the first one, with which later ones are compared; nullptr before there is
+  /// any.
   const Equilibrium* last() const { return last_.get(); }
   const Equilibrium* first() const { return first_.get(); }
 
-  /// The tangents at the last equilibrium for a number of its scene; found once for each. Throws Refused if
-  /// there is no such number, or no equilibrium.
+  /// The tangents at the last equilibrium for a number of its scene. They are computed only once for each
+  /// number. Throws Refused if there is no such number, or no equilibrium.
   const Tangents& tangents(const std::string& path);
   /// The derivatives of all figures with respect to all numbers of the scene. Throws Refused.
   studies::Sensitivities influences(const std::atomic<bool>& interrupt,
@@ -80,12 +82,13 @@ class LiveScene {
   formats::Diagnostics check();
   /// The plan of the last text as SVG; empty without a plan, or if it has errors.
   std::string plan_drawing();
-  /// The equilibrium at another value of a number, continued from a given one, without a search elsewhere. If
-  /// there is none, the result is nullptr, and `why_not` a sentence. Throws formats::Interrupted.
+  /// The equilibrium at another value of a number, found by continuation from a given equilibrium and by no
+  /// other search. If there is none, the result is nullptr and `why_not` a sentence. Throws
+  /// formats::Interrupted.
   std::unique_ptr<Equilibrium> neighbour(const Equilibrium& from, const studies::SceneNumber& number,
                                          double value, const std::atomic<bool>& interrupt,
                                          std::string& why_not);
-  /// Units, ranges and sentences of the numbers that were read so far, by their paths.
+  /// Units, ranges and descriptions of the numbers that were read so far, by their paths.
   const std::map<std::string, formats::NumberWords>& words() const { return words_; }
   /// A number of the scene of the last equilibrium. Throws Refused.
   studies::SceneNumber number(const std::string& path);
@@ -102,7 +105,7 @@ class LiveScene {
   EquilibriumStore store_;
   std::map<std::string, formats::NumberWords> words_;
   Registry& registry_;
-  runs::CaseSource source_;  // the last text, whether it is right or wrong
+  runs::CaseSource source_;  // the last text, which may contain errors
   std::unique_ptr<Equilibrium> last_, first_;
   std::vector<std::unique_ptr<Tangents>> tangents_;  // at last_
 };

@@ -10,14 +10,14 @@ namespace netloft::design {
 
 namespace {
 
-constexpr std::size_t kMostPartsNamed = 4;  // a sentence with more is not read
+constexpr std::size_t kMostPartsNamed = 4;  // a longer list would not be read
 
 struct SwitchedGroup {
   std::string words;
   std::size_t count;
 };
 
-/// Counts by part what went from one side to the other, in both directions.
+/// Counts, for each part, how many changed from one state to the other and how many back.
 void add_switched(const Scene& scene, const studies::Switches::OfKind& before,
                   const studies::Switches::OfKind& after, const std::string& things, const char* to_below,
                   const char* to_above, std::vector<SwitchedGroup>& groups) {

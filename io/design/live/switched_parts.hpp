@@ -7,9 +7,9 @@
 
 namespace netloft::design {
 
-/// The members that became slack or taut and the nodes that touched or left the ground between two equilibria
-/// with the same mesh, by parts: "12 members of top-wing became slack; 3 nodes of footrope left the ground".
-/// A sentence that says so if there are none.
+/// Describes what changed between two equilibria with the same mesh, part by part: members that became slack
+/// or taut, and nodes that touched or left the ground. Example: "12 members of top-wing became slack; 3 nodes
+/// of footrope left the ground". If nothing changed, the sentence says so.
 std::string switched_parts(runs::PreparedScene& before, const std::vector<double>& x_before,
                            runs::PreparedScene& after, const std::vector<double>& x_after);
 

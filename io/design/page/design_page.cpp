@@ -9,7 +9,7 @@ namespace netloft::design {
 
 namespace {
 
-/// The body, with the viewer where its place is marked.
+/// The body of the page, with the viewer at the marked place.
 std::string body_with_viewer() {
   const std::string mark = "VIEWER\n";
   std::string body = kDesignBody;

@@ -4,10 +4,11 @@
 
 namespace netloft::design {
 
-/// The page of a design: the viewer of `netloft view` and the scripts beside this file, which run with this
-/// nonce only. It has no content of its own; its scripts ask the server for it.
+/// The page of a design: the viewer of `netloft view` and the scripts beside this file, which a browser runs
+/// only with this nonce. The page has no content of its own: its scripts request it from the server.
 std::string design_page(const std::string& nonce);
-/// The Content-Security-Policy of that page: its own scripts and styles, requests to its own server alone.
+/// The Content-Security-Policy of that page: only its own scripts and styles, and requests only to its own
+/// server.
 std::string design_policy(const std::string& nonce);
 
 }  // namespace netloft::design

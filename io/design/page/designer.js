@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The page of a design: numbers that move a shape. The text of the files is what counts; the server has it.
+// The page of a design: changing a number changes the shape. The design is the text of the files, which the
+// server keeps.
 
-const REST = 70;        // milliseconds without a move of a slider, after which the equilibrium is sought
-const LONG_REST = 350;  // after which picture, checks and plan follow
+const REST = 70;  // milliseconds after the last move of a slider; then the search for the equilibrium begins
+const LONG_REST = 350;  // milliseconds after which picture, checks and plan are requested, too
 
 class Designer {
   constructor(root) {
     this.server = new Server(root);
     this.shape = new Shape(this.server);
-    this.times = [];  // of equilibria, from the move to the shape [ms]
+    this.times = [];  // time from the move of a slider to the picture of the equilibrium [ms]
     this.numbers = new NumberList($('number-list'), (...move) => this.moved(...move), (path) => this.shape.prepare(path));
     this.text = new TextPane(this.server, (file, text) => this.apply({file, text, goes_on: true}));
     this.questions = new Questions(this.server, (path, to) => this.apply({path, to}), (path) => { $('filter').value = path; this.numbers.filter(path); this.questions.choose(path); });

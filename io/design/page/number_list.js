@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The numbers of the scene as sliders and fields, by the tables of the file.
+// The numbers of the scene as sliders and fields, grouped by the tables of the file.
 
-const REACH_OF_SLIDER = 0.5;  // a slider goes so far below and above the number, over its size
-const STEPS_OF_SLIDER = 400;  // about as many as it has pixels
+const REACH_OF_SLIDER = 0.5;  // range of a slider on either side of the number, as a fraction of the number
+const STEPS_OF_SLIDER = 400;  // about one step per pixel
 
 /** The table of a number: "panels.top-wing" of panels.top-wing.fore[0].meshes. */
 function tableOf(path) {

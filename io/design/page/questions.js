@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Questions about the design: what moves a figure, a sweep over a number, a target.
+// Questions about the design: which numbers a figure depends on, how figures change over a number, and which
+// value of a number reaches a target.
 
 const POINTS_OF_SWEEP = 11;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The report: key figures as cards, all figures with their differences to the start, and the checks.
+// The report: key figures as cards, all figures with their differences from the start, and the checks.
 
 function differenceText(figure) {
   if (!Number.isFinite(figure.value) || !Number.isFinite(figure.start)) return '';

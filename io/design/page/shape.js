@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The shape that is shown: the last equilibrium, or where the tangent of a number leads from it.
+// The shape in the picture: the last equilibrium, or the shape that a tangent predicts from it for another
+// value of a number.
 
 class Shape {
   constructor(server) {
@@ -58,7 +59,7 @@ class Shape {
     try {
       const found = await this.server.ask('jvp', {path});
       if (found.motion) found.motion = await decodeArray(found.motion);
-      // An equilibrium that has come meanwhile has another tangent.
+      // If a new equilibrium has arrived in the meantime, this tangent does not belong to it.
       return points === this.points ? found : null;
     } catch (error) {
       return null;

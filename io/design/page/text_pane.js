@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The texts of the own files, with the lines that have errors.
+// The texts of the files of the design, with their errors marked.
 
-const REST_OF_KEYS = 40;  // milliseconds after a key press before the text is checked: keys that follow at once count as one
+const REST_OF_KEYS = 40;  // milliseconds between a key press and the check of the text; further key presses
+                          // restart it
 
 class TextPane {
   /** `onEdit(file, text)` is called when a text without errors of syntax has been written. */
@@ -31,7 +32,7 @@ class TextPane {
       $('file').value = names.includes(chosen) ? chosen : main;
     }
     this.files = files;
-    // Whoever writes keeps what he has written; the server has it, or has refused it.
+    // While the user types, the text is not replaced, because the server has accepted or refused it already.
     if (document.activeElement !== $('text') || !this.isWriting) this.showFile();
   }
 

@@ -12,9 +12,9 @@ namespace netloft::design {
 
 namespace {
 
-constexpr int kMostReaders = 16;                          // of events: pages that are open at once
-constexpr std::chrono::seconds kLeft{5};                  // a page that is loaded again is back sooner
-constexpr std::chrono::milliseconds kBetweenSigns{1000};  // of life in a stream of events
+constexpr int kMostReaders = 16;                          // streams of events, one for each open page
+constexpr std::chrono::seconds kLeft{5};                  // a page that is only reloaded comes back sooner
+constexpr std::chrono::milliseconds kBetweenSigns{1000};  // interval of signs of life in a stream of events
 
 /// The number after "after=" in the target, or else the header Last-Event-ID, which a browser sends when it
 /// connects again.
@@ -31,7 +31,8 @@ std::string event_text(const Event& event) {
   return "id: " + std::to_string(event.id) + "\nevent: " + event.name + "\ndata: " + event.data + "\n\n";
 }
 
-/// Headers of every reply: nothing is stored, framed, guessed or given to other sites.
+/// Headers of every reply: browsers must not store it, show it in a frame, guess its type, or give it to
+/// other sites.
 void put_headers(HttpReply& reply) {
   reply.headers.insert({{"Cache-Control", "no-store"},
                         {"X-Content-Type-Options", "nosniff"},
@@ -51,7 +52,7 @@ DesignServer::DesignServer(Session& session, int port)
 void DesignServer::run(const std::atomic<bool>& stop, bool ends_with_page) {
   server_.run([&] {
     const bool is_over = stop || was_left(ends_with_page);
-    if (is_over) session_.end();  // whoever waits for an answer gets an error
+    if (is_over) session_.end();  // requests that still wait get an error
     return is_over;
   });
 }
@@ -117,7 +118,8 @@ HttpReply DesignServer::answer(const std::string& name, const std::string& body)
     return error_reply(422, e.what());
   } catch (const formats::Interrupted&) {
     return error_reply(409, "a newer change has ended this work");
-  } catch (const std::exception& e) {  // such as a full disk: this answer fails, the session goes on
+  } catch (const std::exception& e) {  // for instance a full disk: this request fails, but the session
+                                       // continues
     return error_reply(500, e.what());
   }
 }

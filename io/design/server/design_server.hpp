@@ -9,16 +9,16 @@
 
 namespace netloft::design {
 
-/// Serves a session to a page in a browser and to other programs (DESIGN.md). Nothing but its address leads
-/// to it: see Guard.
+/// Serves a session to a page in a browser and to other programs (DESIGN.md). Only those who know its address
+/// can use it: see Guard.
 class DesignServer {
  public:
-  /// Binds to a port of 127.0.0.1, any free one if it is 0. Throws std::system_error if it is taken.
+  /// Binds to `port` of 127.0.0.1, or to a free port if `port` is 0. Throws std::system_error if the port is
+  /// in use.
   DesignServer(Session& session, int port);
 
   std::string address() const { return guard_.address(); }
-  /// Serves until `stop` is set. `ends_with_page`: also until the last page that showed events is closed for
-  /// several seconds.
+  /// Serves until `stop` is set. `ends_with_page`: also ends when no page has been open for several seconds.
   void run(const std::atomic<bool>& stop, bool ends_with_page);
 
  private:

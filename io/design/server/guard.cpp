@@ -10,7 +10,7 @@ namespace netloft::design {
 
 namespace {
 
-/// Compares in a time that does not depend on where the texts differ.
+/// Compares two texts in a time that does not reveal where they differ.
 bool are_equal_in_fixed_time(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   unsigned char difference = 0;

@@ -10,20 +10,20 @@ namespace netloft::design {
 /// A random text that nobody can guess: 32 hexadecimal digits of the system's random numbers.
 std::string random_token();
 
-/// Decides which requests are heard. A server on this machine can be reached by every page that a browser
-/// shows, and by every user of the machine. Refused is a request
-///   whose Host is not this server, as after DNS rebinding,
-///   that the page of another site makes (Origin, Sec-Fetch-Site),
-///   whose address lacks the token,
-///   that a form of another site could post (a Content-Type other than JSON).
+/// Decides which requests are accepted, because every page in a browser and every user of this machine can
+/// reach the server. A request is refused
+///   if its Host is not this server, as after DNS rebinding,
+///   if the page of another site makes it (Origin, Sec-Fetch-Site),
+///   if its address lacks the token,
+///   if a form of another site could post it (a Content-Type other than JSON).
 class Guard {
  public:
   Guard(int port, std::string token) : port_(port), token_(std::move(token)) {}
 
   std::string address() const;
-  /// The reply to a request that is refused; nullopt if it is heard.
+  /// The reply to a request that is refused; nullopt if the request is accepted.
   std::optional<HttpReply> refusal(const HttpRequest& request) const;
-  /// The part of the target behind the token: "api/apply". Requires that the request is heard.
+  /// The part of the target after the token: "api/apply". The request must have been accepted.
   std::string rest_of(const HttpRequest& request) const;
 
  private:

@@ -23,13 +23,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kBetweenStops = 200;  // [ms] between questions whether to stop
+constexpr int kBetweenStops = 200;  // interval at which `stop` is called [ms]
 
 [[noreturn]] void throw_errno(const std::string& what) {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-/// One connection: reads requests and writes replies, in time.
+/// One connection: reads requests and writes replies, within time limits.
 class Connection {
  public:
   Connection(int socket, const HttpLimits& limits) : socket_(socket), limits_(limits) {}
@@ -95,7 +95,7 @@ class Connection {
     return true;
   }
 
-  /// Whether the other side has closed the connection, so that nobody reads a stream any more.
+  /// Whether the other side has closed the connection.
   bool is_closed() const {
     char one;
     return ::recv(socket_, &one, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
@@ -131,7 +131,7 @@ struct HttpServer::Shared {
   void serve(int socket) {
     try {
       Connection(socket, limits).serve(handler, ends);
-    } catch (const std::exception&) {  // such as no memory: this connection ends, the others go on
+    } catch (const std::exception&) {  // for instance too little memory: only this connection ends
     }
     const std::lock_guard lock(mutex);
     sockets.erase(socket);
@@ -182,7 +182,7 @@ void HttpServer::run(const std::function<bool()>& stop) {
     try {
       std::thread([shared = shared_, socket] { shared->serve(socket); }).detach();
       shared_->sockets.insert(socket);
-    } catch (const std::system_error&) {  // the machine has no thread left
+    } catch (const std::system_error&) {  // the system provides no more threads
       ::close(socket);
     }
   }

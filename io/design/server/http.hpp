@@ -16,7 +16,7 @@ struct HttpRequest {
   std::map<std::string, std::string> headers;  // names in lower case
   std::string body;
 
-  /// The value of a header; empty without it.
+  /// The value of a header; empty if the request does not have it.
   const std::string& header(const std::string& name) const;
 };
 
@@ -25,8 +25,8 @@ struct HttpReply {
   std::string type = "application/json";
   std::string body = {};
   std::map<std::string, std::string> headers = {};
-  /// Writes the body piece by piece, for streams of events: called until it returns false. `send` returns
-  /// false when the other side is gone.
+  /// Writes the body piece by piece, for streams of events. It is called until it returns false. `send`
+  /// returns false when the other side has closed the connection.
   std::function<bool(const std::function<bool(std::string_view)>& send)> stream = {};
 };
 
@@ -35,26 +35,27 @@ struct HttpLimits {
   std::size_t header_bytes = std::size_t{16} << 10;
   std::size_t body_bytes = std::size_t{8} << 20;
   std::size_t connections = 128;
-  int seconds = 15;  // for a whole request, and for the wait for the next one
+  int seconds = 15;  // limit for a whole request, and for the wait for the next one
 };
 
-/// A small server of HTTP/1.1 for this machine alone: it listens on 127.0.0.1. It knows bodies with a length,
-/// connections that stay open and bodies that are streamed. What it does not know it refuses: requests in
-/// chunks, upgrades, other versions. A general library for servers (cpp-httplib) brings OpenSSL, whose
-/// loading takes as long as all else of a start of the program.
+/// A small HTTP/1.1 server for this machine only: it listens on 127.0.0.1. It supports bodies with a length,
+/// persistent connections and streamed bodies; it refuses everything else, such as chunked requests, upgrades
+/// and other versions. A general library (cpp-httplib) would need OpenSSL, and loading OpenSSL would double
+/// the time in which the program starts.
 class HttpServer {
  public:
   using Handler = std::function<HttpReply(const HttpRequest&)>;
 
-  /// Several threads call `handler` at once.
+  /// Several threads may call `handler` at the same time.
   explicit HttpServer(Handler handler, HttpLimits limits = {});
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
 
-  /// Binds to a port, any free one if it is 0, and returns it. Throws std::system_error if it is taken.
+  /// Binds to `port`, or to a free port if `port` is 0, and returns the port. Throws std::system_error if it
+  /// is in use.
   int bind(int port);
-  /// Serves until `stop` returns true, which is asked several times a second. Then ends all connections.
+  /// Serves until `stop`, which is called several times a second, returns true. Then ends all connections.
   void run(const std::function<bool()>& stop);
 
  private:

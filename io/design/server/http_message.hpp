@@ -22,7 +22,7 @@ struct HttpHead {
 };
 HttpHead read_head(std::string_view bytes, const HttpLimits& limits);
 
-/// The head of a reply. A reply with a stream has no length, and its connection ends with it.
+/// The head of a reply. A reply with a stream has no length; the connection is closed at its end.
 std::string head_of(const HttpReply& reply, bool stays_open);
 
 }  // namespace netloft::design

@@ -14,13 +14,14 @@ namespace netloft::design {
 
 namespace {
 
-constexpr int kMostPoints = 201;       // of a sweep
-constexpr int kMostSteps = 25;         // towards a target
-constexpr double kOnTarget = 1e-6;     // of the target, or of the figure's first value if the target is zero
-constexpr double kLongestStep = 0.5;   // largest change of the number in one step, over its size
-constexpr double kStepOfLimit = 0.05;  // first step towards a limit, over the size of the number
-constexpr int kMostStepsOfLimit = 40;  // so that a limit beyond three times the number is not looked for
-constexpr int kHalvings = 6;           // of a step that ends at no equilibrium
+constexpr int kMostPoints = 201;      // of a sweep
+constexpr int kMostSteps = 25;        // towards a target
+constexpr double kOnTarget = 1e-6;    // tolerance, relative to the target, or to the first value of the
+                                      // figure if the target is zero
+constexpr double kLongestStep = 0.5;  // largest change of the number in one step, as a fraction of the number
+constexpr double kStepOfLimit = 0.05;  // first step of a search for a limit, as a fraction of the number
+constexpr int kMostStepsOfLimit = 40;  // limits beyond three times the number are not searched
+constexpr int kHalvings = 6;           // how often a step without an equilibrium is halved
 
 const Equilibrium& need_last(const LiveScene& scene) {
   if (!scene.last()) throw Refused("there is no equilibrium yet");
@@ -50,7 +51,8 @@ Json effect_json(const studies::NumberEffect& effect, std::size_t figure) {
           {"per_percent", number_or_nothing(studies::effect_of_percent(effect, figure))}};
 }
 
-/// Fills the figures at the values on one side of the present one, outwards, each from its neighbour.
+/// Computes the figures at all values on one side of the present value, each starting from the equilibrium at
+/// its neighbour.
 template <class Indices>
 void sweep_side(LiveScene& scene, const studies::SceneNumber& number, const std::vector<double>& values,
                 const Indices& indices, const std::function<void(std::size_t, const Equilibrium*)>& on_point,
@@ -157,7 +159,7 @@ class TargetSearch {
   }
 
  private:
-  /// On target, as far as the solver knows the figure.
+  /// Whether the target is reached, up to the accuracy of the solver.
   bool is_there() const {
     const auto figures = studies::all_figures(at_->result);
     const double error = results::find_scalar(figures, question_.figure)->solver_error;
@@ -175,7 +177,7 @@ class TargetSearch {
     return std::clamp(step, -most, most);
   }
 
-  /// Moves the number; by less if there is no equilibrium so far away.
+  /// Changes the number, by less than `step` if there is no equilibrium that far away.
   bool go(double step) {
     for (int halving = 0; halving < kHalvings; ++halving, step /= 2) {
       auto next = scene_.neighbour(*at_, number_, value_ + step, interrupt_, why_not_);
@@ -203,7 +205,7 @@ class TargetSearch {
   const Equilibrium* at_;
   std::unique_ptr<Equilibrium> kept_;
   double value_, figure_, scale_;
-  std::string why_not_;  // why the last step that was tried has no equilibrium
+  std::string why_not_;  // why the last attempted step has no equilibrium
 };
 
 }  // namespace
@@ -216,13 +218,13 @@ Json reach_json(LiveScene& scene, const ReachQuestion& question, const std::atom
 
 namespace {
 
-/// The search for the values of a number up to which a design is good.
+/// The search for the smallest and the largest value of a number for which a design works.
 class LimitSearch {
  public:
   LimitSearch(LiveScene& scene, const RangeQuestion& question, const std::atomic<bool>& interrupt)
       : scene_(scene), question_(question), interrupt_(interrupt), number_(scene.number(question.path)) {}
 
-  /// Goes from the present value in one direction, by steps that are halved at the end.
+  /// Steps from the present value in one direction. Near the limit, steps are halved.
   Json limit(double direction) {
     const Equilibrium* at = &need_last(scene_);
     std::unique_ptr<Equilibrium> kept;
@@ -250,7 +252,8 @@ class LimitSearch {
   const studies::SceneNumber& number() const { return number_; }
 
  private:
-  /// The part that bears more than its breaking load, or the bound of the question that is crossed.
+  /// A sentence about a part that bears more than its breaking load, or about a violated bound of the
+  /// question.
   std::string fault_of(const Equilibrium& at) const {
     for (const results::Material& material : at.result.materials)
       if (material.utilisation() > 1) return material.item.name + " bears more than its breaking load";

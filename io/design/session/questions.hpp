@@ -9,15 +9,15 @@ namespace netloft::design {
 
 using OnDone = std::function<void(std::size_t done, std::size_t all)>;
 
-/// The last equilibrium as the viewer of pages reads it (pictures::results_json). Throws Refused without one,
-/// as all functions here do.
+/// The last equilibrium in the form that the viewer reads (pictures::results_json). All functions here throw
+/// Refused if there is no equilibrium.
 Json picture_json(const LiveScene& scene);
 
 /// Figures, and the tables of the report as HTML.
 Json report_json(const LiveScene& scene);
 
-/// The numbers that a figure depends on most, the largest effect of one percent first, and those without
-/// derivatives with the reasons. Throws formats::Interrupted.
+/// The numbers on which a figure depends, sorted by the effect of a change by one percent, and the numbers
+/// without derivatives, with the reasons. Throws formats::Interrupted.
 Json influences_json(LiveScene& scene, const std::string& figure, const std::atomic<bool>& interrupt,
                      const OnDone& on_done);
 
@@ -26,8 +26,9 @@ struct SweepQuestion {
   double from = 0, to = 0;  // in the unit of the number as it is written
   int points = 0;
 };
-/// All figures at evenly spaced values of a number, each equilibrium continued from its neighbour, outwards
-/// from the present value. A value without an equilibrium has null figures. Throws formats::Interrupted.
+/// All figures at evenly spaced values of a number. Beginning at the present value, each equilibrium starts
+/// from that of the neighbouring value. Figures are null at a value without an equilibrium. Throws
+/// formats::Interrupted.
 Json sweep_json(LiveScene& scene, const SweepQuestion& question, const std::atomic<bool>& interrupt,
                 const OnDone& on_done);
 
@@ -36,9 +37,9 @@ struct ReachQuestion {
   double target = 0;  // in the unit of the figure
   std::string path;   // number that may change
 };
-/// The value of the number at which the figure has its target: by Newton's method with the tangent first,
-/// then by the secant of the last two equilibria. Throws Refused with the nearest value found if there is
-/// none, and formats::Interrupted.
+/// The value of the number at which the figure reaches its target. The first step uses the tangent, later
+/// steps the secant of the last two equilibria. If there is no such value, throws Refused with the nearest
+/// value found. Also throws formats::Interrupted.
 Json reach_json(LiveScene& scene, const ReachQuestion& question, const std::atomic<bool>& interrupt);
 
 struct RangeQuestion {
@@ -46,9 +47,9 @@ struct RangeQuestion {
   std::string figure;                            // figure that has to stay within bounds; empty: none
   double least = -INFINITY, largest = INFINITY;  // in the unit of the figure
 };
-/// How far the number may go down and up until there is no equilibrium, the scene is wrong, a part bears more
-/// than its breaking load, or the figure leaves its bounds; with the reason. Throws Refused and
-/// formats::Interrupted.
+/// How far the number can be decreased and increased, with the reason for each limit: no equilibrium, an
+/// error in the scene, a part that bears more than its breaking load, or a figure outside its bounds. Throws
+/// Refused and formats::Interrupted.
 Json range_json(LiveScene& scene, const RangeQuestion& question, const std::atomic<bool>& interrupt);
 
 }  // namespace netloft::design

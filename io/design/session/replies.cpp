@@ -32,7 +32,7 @@ void put_words(const studies::SceneNumber& number, const formats::NumberWords& w
   json["doc"] = words.doc;
 }
 
-/// Words of the number, or of the array to which it belongs.
+/// The description of the number, or of the array to which it belongs.
 const formats::NumberWords* words_of(const std::string& path,
                                      const std::map<std::string, formats::NumberWords>& words) {
   const auto at = words.find(path);

@@ -9,22 +9,22 @@ namespace netloft::design {
 
 using Json = nlohmann::ordered_json;
 
-/// Messages in the order of their places: severity, file, line, column, length, message, hint and the changes
-/// that cure it.
+/// Messages sorted by place: severity, file, line, column, length, message, hint, and the changes that remove
+/// the message.
 Json messages_json(const formats::Diagnostics& diagnostics);
 
 /// The characters that an edit replaced, with line and column of the first one.
 Json edit_json(const Edit& edit, const formats::StoredTexts& texts);
 
-/// The numbers of a scene: path, value, unit, allowed range in that unit, sentence, and the place in a file.
+/// The numbers of a scene: path, value, unit, allowed range in that unit, description, and place in a file.
 Json numbers_json(const formats::Document& document,
                   const std::map<std::string, formats::NumberWords>& words);
 
-/// All figures of an equilibrium with their errors, and their values at the first one. Unknown numbers are
-/// null.
+/// All figures of an equilibrium with their errors, and their values at the first equilibrium. Unknown
+/// numbers are null.
 Json figures_json(const Equilibrium& now, const Equilibrium& first);
 
-/// The fate of a text; with the positions and figures of the equilibrium if it has one.
+/// The outcome for a text, with positions and figures of its equilibrium if there is one.
 Json outcome_json(const Outcome& outcome, const LiveScene& scene);
 
 /// The tangents of a number: the motion of the nodes and the slopes of the figures per unit of the number.

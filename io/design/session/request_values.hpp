@@ -6,7 +6,8 @@
 
 namespace netloft::design {
 
-// Members of the body of a request. Each throws WrongRequest if it is missing or of another kind.
+// These functions return a member of the body of a request. They throw WrongRequest if it is missing or of
+// another kind.
 std::string text_in(const nlohmann::ordered_json& body, const char* name);
 double number_in(const nlohmann::ordered_json& body, const char* name);
 /// False if it is missing.

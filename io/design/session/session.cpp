@@ -13,8 +13,10 @@ namespace netloft::design {
 
 namespace {
 
-constexpr std::size_t kKeptEvents = 64;            // whoever is later asks for the state again
-constexpr std::chrono::seconds kBetweenLooks{1};   // at files that other programs may change
+constexpr std::size_t kKeptEvents = 64;            // number of stored events; a reader that missed older ones
+                                                   // requests the state again
+constexpr std::chrono::seconds kBetweenLooks{1};   // interval of checks whether other programs have changed
+                                                   // the files
 constexpr std::chrono::seconds kLongestWait{600};  // for an outcome
 
 }  // namespace
@@ -73,7 +75,7 @@ Json Session::answer(const std::string& name, const Json& body) {
 
 // ---- texts
 
-/// The texts, their numbers and whether there is something to undo. The caller holds the lock.
+/// The texts, their numbers, and whether an edit can be undone. The caller must hold the lock.
 Json Session::text_state() const {
   formats::Diagnostics said;
   const formats::Document document = texts_.document(said);
@@ -97,7 +99,7 @@ Json Session::state(const Json&) {
   return json;
 }
 
-/// Changes the text as a request says. The caller holds the lock.
+/// Changes the text as a request asks. The caller must hold the lock.
 Edit Session::edit(const Json& body, std::optional<MovedNumber>& moved) {
   const bool goes_on = flag_in(body, "goes_on");
   if (body.contains("text")) return texts_.replace(text_in(body, "file"), text_in(body, "text"), goes_on);
@@ -147,7 +149,7 @@ Json Session::save(const Json& body) {
   if (body.contains("as")) {
     texts_.save_as(text_in(body, "as"));
     json["written"].push_back(texts_.file().string());
-    note_change(std::nullopt);  // the scene has another name now
+    note_change(std::nullopt);  // the scene has a new name
   } else {
     json["written"] = texts_.save();
   }
@@ -155,8 +157,8 @@ Json Session::save(const Json& body) {
   return json;
 }
 
-/// Errors of the syntax of a text that need not be that of the session: fast enough for every key press.
-/// Without a text, all messages about the plan, which the worker finds.
+/// Errors in the syntax of the text in a request, which is fast enough for every key press. If the request
+/// has no text, all messages about the plan of the session, which the worker computes.
 Json Session::check(const Json& body) {
   if (!body.contains("text"))
     return on_worker([this] { return Json{{"messages", messages_json(scene_.check())}}; });
@@ -175,7 +177,8 @@ Json Session::check(const Json& body) {
   return {{"messages", messages_json(said)}};
 }
 
-/// Makes the present text the newest one, and drops the search for an older one. The caller holds the lock.
+/// Announces that the text has changed, and cancels the search for an older text. The caller must hold the
+/// lock.
 void Session::note_change(std::optional<MovedNumber> moved) {
   ++revision_;
   steps_.push_back({revision_, std::move(moved)});
@@ -183,7 +186,8 @@ void Session::note_change(std::optional<MovedNumber> moved) {
   news_.notify_all();
 }
 
-/// The only number that has moved since the last equilibrium. The caller holds the lock.
+/// The number that has changed since the last equilibrium, if it is the only change. The caller must hold the
+/// lock.
 std::optional<MovedNumber> Session::only_move() const {
   for (const Step& step : steps_)
     if (!step.moved || step.moved->path != steps_.back().moved.value_or(MovedNumber{}).path)
@@ -202,7 +206,7 @@ Json Session::solve(const Json&) {
   return wait_for(revision);
 }
 
-/// The outcome of a text, or of a newer one.
+/// Waits for the outcome of this text or of a newer one.
 Json Session::wait_for(std::uint64_t revision) {
   std::unique_lock lock(mutex_);
   events_.wait_for(lock, kLongestWait, [&] { return followed_ >= revision || ends_; });
@@ -286,7 +290,7 @@ void Session::work() {
              }))
       look_at_files();
   }
-  jobs_.clear();  // whoever waits for one gets an exception
+  jobs_.clear();  // requests that still wait get an exception
 }
 
 bool Session::take_job(std::unique_lock<std::mutex>& lock) {
@@ -300,8 +304,8 @@ bool Session::take_job(std::unique_lock<std::mutex>& lock) {
   return true;
 }
 
-/// Follows the newest text: on the mesh that is there, so that the shape is seen soon, and then on the mesh
-/// of the text, whose equilibrium is that of any run.
+/// Finds the equilibrium of the newest text: first on the present mesh, so that the shape appears soon, then
+/// on the mesh of the text, so that the equilibrium is the same as that of a run.
 void Session::follow_text(std::unique_lock<std::mutex>& lock) {
   const Snapshot text{revision_, texts_.file(), texts_.own(), only_move()};
   interrupt_ = false;
@@ -314,7 +318,7 @@ void Session::follow_text(std::unique_lock<std::mutex>& lock) {
     forget_steps(text, outcome);
     const Json ghost_off = json["ghost_off"], jump = json["jump"];
     json = follow_on(LiveScene::Mesh::own, text, outcome);
-    json["ghost_off"] = ghost_off, json["jump"] = jump;  // another mesh has no ghost to be compared with
+    json["ghost_off"] = ghost_off, json["jump"] = jump;  // a prediction on another mesh cannot be compared
   }
   forget_steps(text, outcome);
   lock.lock();
@@ -327,14 +331,14 @@ void Session::follow_text(std::unique_lock<std::mutex>& lock) {
   lock.lock();
 }
 
-/// The equilibrium of a text is the one from which later changes count.
+/// From this equilibrium on, changes of the text are recorded anew.
 void Session::forget_steps(const Snapshot& text, const Outcome& outcome) {
   if (outcome.status != Outcome::Status::converged) return;
   const std::lock_guard lock(mutex_);
   std::erase_if(steps_, [&](const Step& step) { return step.revision <= text.revision; });
 }
 
-/// An exception here is an error of ours or of the machine: it is reported, and the session goes on.
+/// An exception here is a bug or a failure of the machine: it is reported, and the session continues.
 Json Session::follow_on(LiveScene::Mesh mesh, const Snapshot& text, Outcome& outcome) {
   try {
     outcome = scene_.follow(text.file, text.texts, text.moved, interrupt_, mesh);
@@ -348,12 +352,12 @@ Json Session::follow_on(LiveScene::Mesh mesh, const Snapshot& text, Outcome& out
   return json;
 }
 
-/// Takes over what other programs wrote into the files. The caller holds the lock.
+/// Reads files again that other programs have changed. The caller must hold the lock.
 void Session::look_at_files() {
   try {
     if (texts_.reread().empty()) return;
   } catch (const formats::ReadError&) {
-    return;  // a file that is being written; the next look finds it
+    return;  // the file is just being written; the next check will read it
   }
   note_change(std::nullopt);
   log_.push_back({++last_id_, "changed", text_state().dump(-1, ' ', false, Json::error_handler_t::replace)});

@@ -11,21 +11,21 @@
 
 namespace netloft::design {
 
-/// Something that happened, for whoever shows the design.
+/// An event, such as a new equilibrium, for a page that shows the design.
 struct Event {
   std::uint64_t id = 0;
   std::string name;  // "solving", "solved", "changed", "progress"
   std::string data;  // JSON
 };
 
-/// A request that the session does not know, or that lacks something; what() is a sentence.
+/// An unknown or incomplete request; what() is a sentence.
 struct WrongRequest : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// A design while somebody works on it: its texts, and a thread that finds the equilibrium of the newest one.
-/// A search whose text is no longer the newest is dropped. Any thread may call it. DESIGN.md documents the
-/// requests.
+/// A design while somebody works on it: its texts, and a thread that finds the equilibrium of the newest
+/// text. If the text changes during a search, the search is cancelled. Any thread may call the functions.
+/// DESIGN.md documents the requests.
 class Session {
  public:
   /// `library`: as for SceneTexts. Throws formats::ReadError if the file cannot be read.
@@ -35,17 +35,17 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Answers a request by its name. Throws WrongRequest, Refused, formats::Interrupted if a newer change
-  /// ended the work, and what writing files throws.
+  /// Answers a request by its name. Throws WrongRequest, Refused, formats::Interrupted (if a newer change
+  /// ended the work), and exceptions about files that cannot be written.
   Json answer(const std::string& name, const Json& body);
   static std::vector<std::string> request_names();
 
-  /// Ends all work: whoever waits for an answer gets formats::Interrupted.
+  /// Ends all work. Threads that wait for an answer get formats::Interrupted.
   void end();
   bool has_ended() const;
   bool is_saved() const;
 
-  /// The events after one, as soon as there are some; none after the time is over.
+  /// Waits for events after the event `id` and returns them; returns no events if the time is over.
   std::vector<Event> events_after(std::uint64_t id, std::chrono::milliseconds most);
 
  private:
@@ -98,7 +98,7 @@ class Session {
 
   mutable std::mutex mutex_;
   std::condition_variable news_;    // for the worker
-  std::condition_variable events_;  // for those who wait for events or outcomes
+  std::condition_variable events_;  // signals new events and outcomes
   SceneTexts texts_;
   std::uint64_t revision_ = 1, followed_ = 0;
   std::vector<Step> steps_;  // since the last equilibrium

@@ -9,7 +9,7 @@ namespace {
 
 bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
-/// The byte after a text in quotes that begins at `at`.
+/// The position after the quoted text that begins at `at`.
 std::size_t end_of_quoted(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const bool has_escapes = quote == '"';
@@ -22,7 +22,7 @@ std::size_t end_of_quoted(std::string_view text, std::size_t at) {
       return i + 1;
     } else if (is_long && text.substr(i, 3) == text.substr(at, 3)) {
       i += 3;
-      while (i < text.size() && text[i] == quote) ++i;  // up to two quotes belong to the text
+      while (i < text.size() && text[i] == quote) ++i;  // up to two quotes at the end belong to the text
       return i;
     }
   }

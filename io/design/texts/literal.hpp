@@ -5,8 +5,8 @@
 
 namespace netloft::design {
 
-/// The index of the byte at a line and a column of a text, which count from 1, columns in characters. The end
-/// of the line, or of the text, if there are fewer.
+/// The index of the byte at a line and a column of a text. Both count from 1, columns in characters. If the
+/// line or the text is shorter, the result is its end.
 std::size_t byte_at(std::string_view text, int line, int column);
 
 /// The number of bytes of the TOML value that begins at byte `begin` of a valid text: a text in quotes, an

@@ -27,7 +27,7 @@ bool is_below(const fs::path& file, const fs::path& folder) {
 
 bool may_be_written(const fs::path& file) { return ::access(file.c_str(), W_OK) == 0; }
 
-/// A name for a variant of a scene that no file of the working folder has.
+/// A name for a variant of a scene; no file in the working folder has this name.
 fs::path variant_name(const fs::path& scene) {
   const std::string stem = scene.stem().string() + "-variant";
   fs::path name = stem + ".toml";
@@ -85,7 +85,7 @@ SceneTexts::SceneTexts(const fs::path& scene, const fs::path& library) : file_(s
   saved_ = texts_;
 }
 
-/// Takes the includes over that are own files.
+/// Reads those included files that belong to the design.
 void SceneTexts::open_own(const fs::path& library) {
   formats::Diagnostics unheard;
   const fs::path folder = file_.has_parent_path() ? file_.parent_path() : fs::path(".");
@@ -116,7 +116,7 @@ Edit SceneTexts::set(const formats::Change& change, bool goes_on) {
   return keep(edit, goes_on);
 }
 
-/// The edit after which the document is the wanted one.
+/// The edit that makes the document equal to the wanted one.
 Edit SceneTexts::edited(const formats::Document& before, const formats::Change& change,
                         const formats::Value& wanted) const {
   const std::span<const formats::PathStep> path = change.steps;
@@ -136,7 +136,7 @@ Edit SceneTexts::edited(const formats::Document& before, const formats::Change& 
   return {file, at, text.substr(at, length_of_literal(text, at)), formats::spell_in_file(value)};
 }
 
-/// The edit that states a value in the scene, which so overrides that of a file which it includes.
+/// The edit that adds a value to the scene and thus overrides the value in an included file.
 Edit SceneTexts::override_in_scene(const formats::Document& before, std::span<const formats::PathStep> path,
                                    const formats::Value& value) const {
   const std::string name = file_.string();
@@ -144,7 +144,7 @@ Edit SceneTexts::override_in_scene(const formats::Document& before, std::span<co
       std::ranges::find_if(path, [](const formats::PathStep& step) { return step.item.has_value(); });
   formats::Value whole = value;
   auto steps = path;
-  if (item != path.end()) {  // an including file states arrays as a whole
+  if (item != path.end()) {  // an array in the scene replaces the whole array of the included file
     steps = path.first(static_cast<std::size_t>(item - path.begin()));
     whole = *follow(before.root(), steps).value;
     formats::Value* inner = &whole;
@@ -172,7 +172,7 @@ void SceneTexts::put(const Edit& edit) {
   texts_.at(edit.file).replace(edit.at, edit.before.size(), edit.after);
 }
 
-/// Remembers an edit that was made. If it goes on with the last one, both become one.
+/// Records an edit. If it continues the last edit, both are recorded as one.
 Edit SceneTexts::keep(Edit edit, bool goes_on) {
   edits_.resize(done_);
   Edit* last = goes_on && !edits_.empty() ? &edits_.back() : nullptr;

@@ -29,7 +29,7 @@ std::optional<double> number_in(const formats::Value& value) {
   return std::nullopt;
 }
 
-/// The name in a header "[panels.bag]" or "[[hold]]" without blanks; empty if there is no header.
+/// The name in a header such as "[panels.bag]" or "[[hold]]", without blanks; empty if there is no header.
 std::string header_at(const std::string& text, std::size_t at) {
   if (at >= text.size() || text[at] != '[') return {};
   const std::size_t begin = text.find_first_not_of('[', at), end = text.find(']', at);
@@ -39,7 +39,7 @@ std::string header_at(const std::string& text, std::size_t at) {
   return name;
 }
 
-/// The name of the header of the table at a path: items of arrays have that of the array.
+/// The name in the header of the table at a path. Items of an array have the name of the array.
 std::string header_of(Path path) {
   std::string name;
   for (const formats::PathStep& step : path)
@@ -51,7 +51,7 @@ std::size_t end_of_line(const std::string& text, std::size_t at) {
   return std::min(text.find('\n', at), text.size());
 }
 
-/// The first byte of the first table with a header; the end of the text if it has none.
+/// The first byte of the first table with a header; the end of the text if there is none.
 std::size_t begin_of_tables(const std::string& text, const formats::Value& own) {
   std::size_t first = text.size();
   for (const formats::Member& member : own.as<formats::Table>()->members) {
@@ -65,7 +65,7 @@ std::size_t begin_of_tables(const std::string& text, const formats::Value& own) 
   return first;
 }
 
-/// A value as a file has it; an array of tables has a line for each of them.
+/// A value in the notation of a file. An array of tables has a line for each table.
 std::string spell_in_lines(const formats::Value& value) {
   const auto* array = value.as<formats::Array>();
   if (!array || array->items.empty() || !array->items.front().as<formats::Table>())

@@ -15,16 +15,16 @@ struct Found {
 };
 Found follow(const formats::Value& root, std::span<const formats::PathStep> path);
 
-/// The path as it is written: "hold[0].at[2]".
+/// A path as text, such as "hold[0].at[2]".
 std::string spell_path(std::span<const formats::PathStep> path);
 
 /// Whether two values are equal, wherever they are written: places and the order of keys do not count, and
 /// 3 equals 3.0.
 bool are_same(const formats::Value& a, const formats::Value& b);
 
-/// Texts that state the value of a key in addition, the best first: in the table of the path or one above it
-/// that the text has, in a table of its own at the end, above all tables. Not all of them need be valid TOML.
-/// `own` are the tables of the text alone.
+/// Variants of the text to which the value of a key has been added, the best first: in the table of the path
+/// or a table above it, in a new table at the end, or before all tables. Some may not be valid TOML. `own`
+/// are the tables of this text, without included files.
 std::vector<std::string> with_new_key(const std::string& text, const formats::Value& own,
                                       std::span<const formats::PathStep> path, const formats::Value& value);
 

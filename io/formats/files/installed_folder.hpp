@@ -5,9 +5,9 @@
 namespace netloft::formats {
 
 /// The folder of the installation to which this code belongs: it contains lib/netloft (plugins) and
-/// share/netloft (library of gears), and is found above the file of this code, which is the program or a
-/// module of Python. So the installation may be moved. The build folder has the same layout. Empty if there
-/// is no such folder.
+/// share/netloft (library of gears). It is searched above the file that contains this code (the program or
+/// the Python module), so that an installation can be moved. The build folder has the same layout. Empty if
+/// there is no such folder.
 std::filesystem::path installed_folder();
 
 }  // namespace netloft::formats

@@ -31,7 +31,7 @@ int open_beside(const fs::path& path, const fs::path& beside) {
     const int fd = open(beside.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (fd < 0) fail(path, errno);
     while (flock(fd, LOCK_EX) != 0 && errno == EINTR)
-      continue;  // in a file system without locks, such as some network ones, flock() fails at once
+      continue;  // some file systems, such as network ones, have no locks, and flock() fails at once
     const bool is_still_there = stat(beside.c_str(), &named) == 0 && fstat(fd, &opened) == 0 &&
                                 named.st_ino == opened.st_ino && named.st_dev == opened.st_dev;
     if (is_still_there && ftruncate(fd, 0) == 0) return fd;
@@ -125,7 +125,7 @@ void keep_as_backup(const fs::path& path) {
     return;
   }
   if (errno == ENOENT) return;
-  // On file systems without hard links, only the name PATH~ exists for a moment.
+  // On file systems without hard links, the file is renamed; for a moment, it then has only the name PATH~.
   if (rename(path.c_str(), backup.c_str()) != 0) fail_to_keep(path, backup, errno);
 }
 

@@ -25,8 +25,8 @@ void write_whole(const std::filesystem::path& path, std::string_view content);
 /// PATH~ unless it has the same content.
 void write_keeping(const std::filesystem::path& path, std::string_view content);
 
-/// Keeps the file `path`, if it exists, as its backup PATH~, which replaces an earlier backup. At every
-/// moment, the file has at least one of these names. Throws WriteError.
+/// Keeps the file `path`, if it exists, as its backup PATH~, which replaces an earlier backup. At any moment,
+/// the file has at least one of these two names. Throws WriteError.
 void keep_as_backup(const std::filesystem::path& path);
 
 /// A file that cannot be read; what() is a sentence for the user.
@@ -35,8 +35,8 @@ class ReadError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The contents of a file; nullopt if the file does not exist. Throws ReadError if it cannot be read, and for
-/// folders, pipes and devices, whose contents may never end.
+/// The contents of a file; nullopt if the file does not exist. Throws ReadError if the file cannot be read,
+/// and for folders, pipes and devices, because reading a pipe or a device may never end.
 std::optional<std::string> read_whole(const std::filesystem::path& path);
 
 }  // namespace netloft::formats

@@ -14,7 +14,7 @@ namespace netloft::formats {
 static_assert(std::endian::native == std::endian::little,
               "journals are little-endian, and written as they are");
 
-/// The number that begins at byte `place`, which need not be aligned.
+/// Reads the number that begins at byte `place`; the place need not be aligned.
 template <class Number>
 Number number_at(std::string_view bytes, std::size_t place) {
   Number value;

@@ -31,8 +31,8 @@ void write_columns(Tree& tree, const std::vector<SeriesColumn>& columns, const R
     tree.write_reals(kRoot + "/series/" + columns[k].name, rows.column(k), columns[k].unit, columns[k].doc);
 }
 
-/// The cells in XDMF's notation for cells of several kinds: for each cell its type, the number of its nodes
-/// unless the type implies this number, and its nodes.
+/// The cells in the notation of XDMF for cells of several kinds. Each cell has its type, the number of its
+/// nodes (unless the type implies it), and its nodes.
 std::vector<std::int64_t> mixed_cells(const Mesh& mesh) {
   constexpr std::int64_t kPolyvertex = 1, kPolyline = 2, kXdmfTriangle = 4;
   std::vector<std::int64_t> mixed;
@@ -150,7 +150,7 @@ Handle unfold(const std::filesystem::path& part) {
     if (journal.size() > 0) fold_series(journal, file, "a temporary file");
     write_last_row(tree, journal);
     check(H5Fflush(file, H5F_SCOPE_GLOBAL));
-    require_own_data(file);  // a long name in the journal could otherwise make deeply nested groups
+    require_own_data(file);  // a long name in the journal could otherwise create deeply nested groups
     return file;
   });
 }

@@ -24,7 +24,7 @@ herr_t keep_ends(unsigned, const H5E_error2_t* record, void* data) {
   return 0;
 }
 
-/// Extracts the operating system's own message from the drivers' long description of a failed system call.
+/// Extracts the message of the operating system from HDF5's long description of a failed system call.
 std::string system_words(const std::string& description) {
   constexpr std::string_view kMark = "error message = '";
   const auto begin = description.find(kMark);

@@ -17,8 +17,8 @@ namespace netloft::formats {
 ///           CRC-32 of the content (u32)
 ///
 /// Each record is written by one write(), so that a kill or a full disk destroys at most the last record. A
-/// reader ignores an incomplete record at the end of the file, and zeros, which a power cut may leave. Any
-/// other mismatch with a checksum is damage.
+/// reader ignores an incomplete record at the end of the file, and zeros, which a power cut may leave. If a
+/// checksum does not match for any other reason, the file is damaged.
 class Journal {
  public:
   struct Record {
@@ -41,7 +41,7 @@ class Journal {
   const std::filesystem::path& path() const { return path_; }
   /// A sentence about the damage at which go_on() stopped reading; an empty text if the file is not damaged.
   const std::string& damage() const { return damage_; }
-  /// The name under which the first append() after damage keeps the old file.
+  /// If the file is damaged, the first append() keeps a copy of the old file under this name.
   std::filesystem::path path_of_damaged() const { return path_.string() + "~"; }
   /// Reads the content of a record and compares it with its checksum.
   std::string content(const Record& record) const;

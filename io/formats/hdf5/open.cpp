@@ -15,8 +15,8 @@ constexpr std::size_t kDeepestGroup = 16;  // results nest groups five deep, mes
 
 const std::string kCure = "only data in the file itself are read, so ask for a file that holds all its data";
 
-// The name given to files in memory. HDF5 refuses this name if it can open a file of this name, so that no
-// such file may exist.
+// The name given to files in memory. HDF5 refuses this name if it can open a file of this name. Therefore it
+// must be the name of a file that cannot exist.
 constexpr const char* kNoFile = "/dev/null/image";
 
 [[noreturn]] void refuse_elsewhere(const std::string& object, const std::string& why) {
@@ -31,7 +31,7 @@ std::string external_file_of(hid_t properties) {
   return name;
 }
 
-/// Checks the properties of a dataset, which HDF5 reads from the file itself.
+/// Checks that HDF5 finds the data of a dataset in the file itself.
 void require_own_numbers(hid_t dataset, const std::string& path) {
   const Handle properties(H5Dget_create_plist(dataset), H5Pclose);
   if (check(H5Pget_external_count(properties)) > 0)
@@ -46,8 +46,8 @@ std::string kind_of(H5L_type_t link) {
   return link == H5L_TYPE_SOFT ? "a soft link" : "a link of an unknown kind";
 }
 
-/// Visits every object of a file once. H5Ovisit() does not serve: it has no limit of depth, and follows the
-/// whole path of every object.
+/// Visits every object of a file once. H5Ovisit() is not suitable, because it has no limit of depth and
+/// follows the whole path of every object.
 class ObjectVisit {
  public:
   explicit ObjectVisit(hid_t file) { visit(Handle(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose), "", 0); }

@@ -9,9 +9,10 @@
 namespace netloft::formats {
 
 // The only functions that open HDF5 files for reading. HDF5 lets a file keep its data elsewhere: in external
-// storage, in the sources of a virtual dataset, behind an external link. Reading such a file reads other
-// files of the user, and waits for ever if one of them is a pipe. Therefore these functions refuse everything
-// that is not in the file itself, before any data are read, and load no filters from the plugins of HDF5.
+// storage, in the sources of a virtual dataset, behind an external link. Reading such a file would read other
+// files of the user, and would wait for ever if one of them is a pipe. Therefore these functions refuse
+// everything that is not in the file itself, before any data are read, and load no filters from the plugins
+// of HDF5.
 
 /// Opens a file for reading. Throws FileError if the file cannot be read or fails require_own_data().
 Handle open_for_reading(const std::filesystem::path& path);

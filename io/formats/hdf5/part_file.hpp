@@ -35,7 +35,8 @@ class PartFile {
  private:
   std::filesystem::path final_;
   std::filesystem::path part_;
-  // Destroyed after file_, so that no other process takes the .part while HDF5 is still closing it.
+  // Destroyed after file_, so that no other process can open the .part for writing while HDF5 is still
+  // closing it.
   Descriptor lock_;
   Handle file_;
   bool finished_ = false;

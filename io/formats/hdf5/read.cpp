@@ -46,9 +46,8 @@ std::size_t product(const std::vector<std::size_t>& extents) {
   return all;
 }
 
-// Damaged extents must not make a reader allocate more memory than the computer has. Stored data cannot
-// contain more numbers than bytes; deflated data can contain a thousand times as many (at most 1032 by RFC
-// 1951).
+// If the extents of a dataset are damaged, a reader must not allocate more memory than the computer has.
+// Stored data contain at most one number per byte; deflated data at most 1032 times as many (RFC 1951).
 constexpr std::size_t kHarmless = 1 << 20, kMostDeflated = 1100;
 
 void require_stored(hid_t dataset, std::size_t count, const std::filesystem::path& file) {

@@ -19,8 +19,8 @@ class Reader {
   /// Opens a finished result that this program has just written; does not compare checksums.
   static Reader of_own(std::filesystem::path path);
 
-  /// Throws FileError if /netloft has a newer format than this program supports; data of an older format can
-  /// be read as far as they exist.
+  /// Throws FileError if /netloft has a newer format than this program supports; older formats can be read,
+  /// except for data that they lack.
   void require_known_format() const;
 
   bool has(const std::string& path) const;
@@ -43,8 +43,8 @@ class Reader {
 
   std::string text(const std::string& path) const;
   std::vector<std::string> strings(const std::string& path) const;
-  /// Reads names, which will be printed and written into lines of files. Throws FileError if one has control
-  /// characters.
+  /// Reads names. Throws FileError if a name has control characters, because names are printed and written
+  /// into lines of files.
   std::vector<std::string> names(const std::string& path) const;
 
   bool has_attribute(const std::string& path, const std::string& name) const;

@@ -85,8 +85,8 @@ std::string table_of(const SealedFile& file) {
   return table + last_line(file.length, checksum(summed));
 }
 
-/// Removes a number and the blank after it from the front of a text. Throws FileError if the text does not
-/// begin with a number.
+/// Removes a number, and the blank after it, from the beginning of a text, and returns the number. Throws
+/// FileError if the text does not begin with a number.
 std::uint64_t take_number(std::string_view& text, int base) {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
@@ -131,8 +131,8 @@ std::optional<SealedFile> read_seal(int fd) {
   std::string_view numbers = std::string_view(last).substr(kLastWord.size());
   const std::uint64_t length = take_number(numbers, 16), sum = take_number(numbers, 16);
   if (last !=
-      last_line(length, static_cast<std::uint32_t>(
-                            sum)))  // not in the form that append_seal() writes, such as "A" instead of "a"
+      last_line(length, static_cast<std::uint32_t>(sum)))  // the checksum is not written in the form of
+                                                           // append_seal(), for example "A" instead of "a"
     throw FileError("it is damaged: its checksums cannot be read");
   if (length > size - kLastLine) throw FileError("it is damaged: its checksums would begin beyond its end");
   std::string table(size - length, '\0');

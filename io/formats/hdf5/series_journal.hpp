@@ -77,7 +77,8 @@ class SeriesJournal {
 
   /// Writes an output. Once this returns, the output survives a kill of the program.
   void write(const SeriesState& state, const std::string& checkpoint);
-  /// Throws FileError unless the layout of the continued run, `layout`, has the same fields as the journal's.
+  /// Throws FileError unless the layout of the continued run has the same fields as the layout in the
+  /// journal.
   void require_layout(const SeriesLayout& layout) const;
   void set_status(const SeriesStatus& status);
   void remove() { journal_->remove(); }
@@ -99,7 +100,7 @@ class SeriesJournal {
   std::vector<std::vector<double>> last_fields_;  // fields of the last output
   Journal::Record last_;
   std::size_t resumable_ = 0;  // number of outputs up to the last one with a checkpoint
-  bool is_to_rewind_ = false;  // whether the rewind record of a continued run is still to be written
+  bool is_to_rewind_ = false;  // whether a continued run still has to write its rewind record
   ByteWriter buffer_;
 };
 

@@ -25,7 +25,7 @@ std::string bytes_of(int fd, std::uint64_t place, std::uint64_t size) {
   return bytes;
 }
 
-/// Distance from one object to the next [bytes]. Object 0 is the free space; its size includes the header.
+/// Distance from one object to the next [bytes]. Object 0 is the free space, whose size includes the header.
 std::uint64_t step_of(std::string_view collection, std::uint64_t place) {
   const auto size = number_at<std::uint64_t>(collection, place + 8);
   const bool is_free = number_at<std::uint16_t>(collection, place) == 0;
@@ -43,7 +43,7 @@ bool leads_to_its_end(std::string_view collection) {
 }
 
 /// Throws FileError if the texts of a collection do not have the lengths that they state. Ignores bytes that
-/// only look like a collection, and collections larger than the file, because HDF5 does not read them.
+/// only look like a collection, and collections larger than the file; HDF5 reads neither.
 void check_collection(int fd, std::uint64_t place, std::uint64_t end) {
   if (end - place < kHeader) return;
   const auto size = number_at<std::uint64_t>(bytes_of(fd, place, kHeader), 8);

@@ -130,8 +130,8 @@ void Tree::replace(const std::string& path, hid_t file_type, hid_t memory_type, 
   put_labels(dataset, labels.unit, labels.doc);
 }
 
-/// Transfer properties for a memory type. Numbers have the same form in the file and in memory; strings need
-/// conversion.
+/// Transfer properties for a memory type. Only strings need a conversion, because numbers have the same form
+/// in the file and in memory.
 hid_t Tree::transfer_of(hid_t memory_type, hssize_t values) {
   if (memory_type != strings_) return H5P_DEFAULT;
   if (transfer_ < 0) transfer_ = Handle(H5Pcreate(H5P_DATASET_XFER), H5Pclose);

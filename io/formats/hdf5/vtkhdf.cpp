@@ -59,8 +59,8 @@ Handle make_dataset(hid_t group, const std::string& name, hid_t type, hid_t spac
   return Handle(H5Dcreate2(group, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose);
 }
 
-/// Creates a contiguous array without compression: compression took ten times as long as the rest of an
-/// output and saved a fifth of the space.
+/// Creates a contiguous array without compression: compression took ten times as long as everything else and
+/// saved a fifth of the space.
 Handle make_plain(hid_t group, const std::string& name, hid_t type, std::array<hsize_t, 2> extents,
                   int rank) {
   const Handle properties = make_dataset_properties();

@@ -45,9 +45,9 @@ struct StaticField {
 
 /// The /VTKHDF group: one unstructured grid whose points and fields change in time (VTKHDF 2.0).
 ///
-/// Each changing array consists of slots of equal length, one per state. A state whose field equals that of
-/// the state before has no slot of its own and uses the slot of that state. The S states with a slot of their
-/// own, i = 0 … S-1 in order of time, are in
+/// Each changing array consists of slots of equal length, one per state. If the field of a state equals that
+/// of the state before, it uses the slot of that state. The S other states, i = 0 … S-1 in order of time, are
+/// in
 ///   slot(i) = i + 1 for i < S-1,   slot(S-1) = 0                          (1)
 /// The newest of them is first, so that a reader without support for time (ParaView ≤ 5.11) shows it.
 class VtkHdf {
@@ -57,7 +57,8 @@ class VtkHdf {
          std::size_t states, std::span<const std::vector<bool>> stored = {});
 
   std::size_t n_states() const { return times_.size(); }
-  /// Adds a state. `points` 3n [m]; `fields` in the order of `changing`, a field without a slot is empty.
+  /// Adds a state. `points` 3n [m]; `fields` has the order of `changing`; a field without a new slot is
+  /// empty.
   void write_state(double time, std::span<const double> points,
                    std::span<const std::span<const double>> fields);
   /// Writes the states that are still in memory.
@@ -68,7 +69,7 @@ class VtkHdf {
 
  private:
   /// A dataset of slots; its rows have `columns` numbers. One call writes a block of consecutive slots,
-  /// because HDF5 first reads the surrounding bytes if a write has less than 64 kB.
+  /// because HDF5 first reads the surrounding bytes if less than 64 kB are written.
   struct SlotArray {
     std::string name;
     std::size_t rows;

@@ -46,7 +46,7 @@ struct InputMesh {
   const MeshRegion* find(const std::string& region) const;
 };
 
-/// A fault that an element of a mesh has by itself, whatever the other elements are.
+/// A fault of a single element of a mesh, independent of the other elements.
 struct ElementFault {
   bool is_of_nodes;  // whether the fault is in the nodes; otherwise in the numbers
   const char* message;
@@ -59,16 +59,17 @@ inline constexpr double kFarthest = 1e6;  // limit of coordinates, in metres and
 /// Whether a text is a mesh: it begins with `netloft mesh`.
 bool is_mesh_text(std::string_view text);
 
-/// Reads a mesh from a text (MESH.md). Errors go to `diagnostics`, where the text has the index `file`; after
-/// an error the result contains whatever could be read.
+/// Reads a mesh from a text (MESH.md). Adds errors to `diagnostics`, where the text has the index `file`.
+/// After an error, the result contains everything that could be read.
 InputMesh read_mesh(std::string_view text, int file, Diagnostics& diagnostics);
 
 /// Reads a mesh in any text format (MESH.md). The beginning of the text determines the format: `netloft
 /// mesh`, `# vtk DataFile`, otherwise OBJ.
 InputMesh read_any_mesh(std::string_view text, int file, Diagnostics& diagnostics);
 
-/// Reads Wavefront OBJ: corners are `vertex/texture`, whose texture coordinates are U and V, or the fraction
-/// of a rope; groups are regions, points are sets. obj_text() omits bars of several twines, which OBJ lacks.
+/// Reads Wavefront OBJ: corners are `vertex/texture`, whose texture coordinates are U and V, or for ropes the
+/// fraction of the length; groups are regions, points are sets. obj_text() omits bars of several twines,
+/// which OBJ lacks.
 InputMesh read_obj(std::string_view text, int file, Diagnostics& diagnostics);
 std::string obj_text(const InputMesh& mesh, const std::string& source);
 
@@ -90,7 +91,7 @@ std::string mesh_text(const InputMesh& mesh, const std::string& source);
 /// A text as a comment, each line as "# …"; empty for an empty text.
 std::string comment_of(const std::string& source);
 
-/// The shortest text that is read back as this number.
+/// The shortest text from which the same number is read.
 std::string spell_number(double value);
 
 }  // namespace netloft::formats

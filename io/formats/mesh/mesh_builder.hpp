@@ -27,12 +27,12 @@ class MeshBuilder {
   void add_coordinate(double x, const Place& place);
 
   /// The region of a name and kind. If a region of another kind already has this name, the name of the kind
-  /// is appended to `name`. Letters that are not allowed in names become dashes.
+  /// is appended to `name`. Characters that are not allowed in names become dashes.
   MeshRegion& region(const std::string& name, RegionKind kind);
   MeshSet& set(const std::string& name);
 
-  /// Adds one element. If bars have no numbers, finish() computes their fractions of the rope from the
-  /// distances of their nodes.
+  /// Adds one element. If bars have no numbers, finish() computes the fractions of the rope from the
+  /// distances between nodes.
   void add_element(MeshRegion& region, const std::uint32_t* nodes, const double* numbers, const Place& place);
 
   InputMesh finish(const Place& end);

@@ -25,13 +25,13 @@ std::optional<double> number_in(std::string_view text) {
   std::string plain(text[0] == '+' ? text.substr(1) : text);
   if (plain.empty() || plain[0] == '+' || (text[0] == '+' && plain[0] == '-')) return {};
   for (char& c : plain)
-    if (c == 'd' || c == 'D') c = 'e';  // Fortran's letter for powers of ten
+    if (c == 'd' || c == 'D') c = 'e';  // Fortran writes powers of ten with D
   double value = 0;
   const auto [end, fault] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
   if (end != plain.data() + plain.size()) return {};
   const bool is_tiny = fault == std::errc::result_out_of_range && plain.find("e-") != std::string::npos;
   return fault == std::errc{} || is_tiny ? std::optional(value)
-                                         : std::nullopt;  // a number too small for a double is 0
+                                         : std::nullopt;  // a number too small for a double becomes 0
 }
 
 std::optional<std::int64_t> integer_in(std::string_view text) {

@@ -16,8 +16,8 @@ struct Word {
   Place place;
 };
 
-/// A number in any notation of programs: 1, 1.5, .5, 3., 1e-3, 1.D-3. nullopt for hexadecimal numbers,
-/// infinity, NaN and other texts.
+/// A number in any notation that programs write: 1, 1.5, .5, 3., 1e-3, 1.D-3. nullopt for hexadecimal
+/// numbers, infinity, NaN and other texts.
 std::optional<double> number_in(std::string_view text);
 std::optional<std::int64_t> integer_in(std::string_view text);
 

@@ -34,7 +34,7 @@ void add_line(const VtkCells& cells, std::size_t c, MeshBuilder& builder) {
     builder.add_element(region, &nodes[k], is_netting ? twines : shares, cells.places[c]);
 }
 
-/// Adds one cell. Returns false if the next cells cannot be read.
+/// Adds one cell. Returns false if further cells cannot be read.
 bool add_cell(const VtkCells& cells, std::size_t c, MeshBuilder& builder) {
   const auto& nodes = cells.nodes[c];
   const int type = cells.types[c];

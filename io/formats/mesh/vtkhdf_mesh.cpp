@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Reads files of VTKHDF (Kitware, "VTKHDF file format"): unstructured grids of one piece at their last time,
-// and results of Netloft, which are such files and also have the data of parts.
+// and results of Netloft, which are such files with additional data of parts.
 #include "framework/registry/element_outputs.hpp"
 #include "io/formats/hdf5/read.hpp"
 #include "io/formats/mesh/vtk_cells.hpp"

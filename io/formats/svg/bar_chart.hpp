@@ -5,8 +5,8 @@
 
 namespace netloft::formats {
 
-/// A bar chart, whose rows form groups. A row has one bar for each kind of value; a bar begins at zero, and a
-/// whisker shows the error of its value.
+/// A bar chart, whose rows form groups. A row has one bar for each kind of value. Bars begin at zero; a
+/// whisker shows the error of a value.
 struct BarChart {
   struct Bar {
     double value, error;

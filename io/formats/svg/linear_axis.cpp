@@ -10,7 +10,7 @@ namespace netloft::formats {
 namespace {
 
 constexpr double kRangeMargin = 0.04;  // distance of markers from the frame, as a fraction of the range
-// Values with a smaller relative difference than this count as equal: their digits would not fit on labels.
+// Values with a smaller relative difference count as equal, because labels do not have room for more digits.
 constexpr double kSame = 1e-6;
 constexpr double kTickRounding = 1e-9;  // tolerance for rounding, as a fraction of the distance of ticks
 

@@ -10,7 +10,7 @@ namespace netloft::formats {
 namespace {
 
 // Relative difference up to which an end of the axis counts as equal to a value. Computed powers of ten have
-// round-off.
+// rounding errors.
 constexpr double kDecadeRounding = 1e-9;
 // Markers keep at least this factor away from the frame.
 constexpr double kMarginFactor = 1.15;

@@ -26,7 +26,7 @@ constexpr const char *kMinorGrid = "#f0f0f0", *kMarkInk = "#666666";
 constexpr std::array<const char*, 7> kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                               "#e69f00", "#56b4e9", "#000000"};
 
-/// All x or all y of a plot, including the ends of bands.
+/// All x or all y values of a plot, including the ends of bands.
 std::vector<double> values_of(const LinePlot& plot, bool of_x) {
   std::vector<double> values;
   for (const auto& series : plot.series) {

@@ -35,7 +35,8 @@ class SvgPicture : public LineDrawing {
   void path(const std::vector<PicturePoint>& points, const char* colour, double width);
   /// A closed area without an outline; `opacity` from 0 to 1.
   void area(const std::vector<PicturePoint>& outline, const char* colour, double opacity);
-  /// Draws one of eight shapes, which differ even without their colour; from the ninth on they repeat.
+  /// Draws one of eight shapes, which can be told apart without colour. From the ninth series on, shapes
+  /// repeat.
   void marker(PicturePoint at, std::size_t shape, const char* colour, bool is_hollow = false);
   void text(PicturePoint at, const std::string& text, double size, const char* colour,
             Anchor anchor) override;
@@ -43,12 +44,12 @@ class SvgPicture : public LineDrawing {
   /// behind.
   void rotated_text(PicturePoint at, const std::string& text, double size, const char* colour, Anchor anchor,
                     bool halo = false);
-  /// Draws the number of a tick, as a power of ten (10⁻³) or as a decimal (0.02).
+  /// Draws the number of a tick as a power of ten (10⁻³) or as a decimal number (0.02).
   void number(PicturePoint at, double value, bool as_power, double size, Anchor anchor);
 
-  /// The complete file, with a white background, twice as large on a screen as its numbers say.
+  /// The complete file, with a white background. On a screen, one unit is two pixels.
   std::string finish(double width, double height) const { return finish({width, height}, 2 * width); }
-  /// The same at another width on a screen [pixels].
+  /// The complete file with a given width on a screen [pixels].
   std::string finish(DrawingSize size, double pixels) const;
 
  private:

@@ -6,8 +6,8 @@
 namespace netloft::formats {
 
 /// Returns a text as a cell of comma-separated values, quoted if necessary (RFC 4180), without control
-/// characters except line feeds. A spreadsheet would take a text that begins with = + - or @ for a formula;
-/// such a text gets an apostrophe before it unless it is a number (OWASP, "CSV Injection").
+/// characters except line feeds. A spreadsheet treats a text that begins with = + - or @ as a formula. Such a
+/// text gets an apostrophe in front, unless it is a number (OWASP, "CSV Injection").
 std::string csv_field(const std::string& text);
 
 /// A number as a cell of comma-separated values; an empty cell if the number is not known (NaN).

@@ -6,7 +6,7 @@
 namespace netloft::formats {
 namespace {
 
-constexpr std::size_t kLongestName = 100;  // [bytes]; file systems allow 255 with all endings
+constexpr std::size_t kLongestName = 100;  // length in bytes; file systems allow 255 including all endings
 
 }  // namespace
 

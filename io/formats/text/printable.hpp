@@ -6,13 +6,13 @@
 
 namespace netloft::formats {
 
-/// The text with its control characters written as in JSON, "\u001b", so that a terminal shows them and does
-/// not obey them. These are U+0000 to U+001F, U+007F to U+009F, and single bytes of the latter range, which a
-/// terminal without UTF-8 obeys. Line feeds and tabs stay; a line end of two characters becomes a line feed.
-/// A JSON text keeps its meaning.
+/// The text with its control characters written as in JSON, "\u001b", so that a terminal shows them instead
+/// of executing them. Control characters are U+0000 to U+001F, U+007F to U+009F, and single bytes of the
+/// second range, which a terminal without UTF-8 would execute. Line feeds and tabs stay; a line end of two
+/// characters becomes a line feed. A JSON text keeps its meaning.
 std::string printable(std::string_view text);
 
-/// Like printable(), for a text that is a part of a line: line feeds are escaped too, and tabs become blanks.
+/// Like printable(), for a text within a line: line feeds are escaped as well, and tabs become blanks.
 std::string printable_in_line(std::string_view text);
 
 /// Whether a text has a character that printable_in_line() replaces.

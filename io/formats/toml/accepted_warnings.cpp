@@ -52,14 +52,14 @@ std::vector<AcceptedWarning> read_entries(const Value& root, Diagnostics& diagno
   return entries;
 }
 
-/// Whether a message begins with words that end where a word or a number of the message ends.
+/// Whether a message begins with a text that ends at the end of a word or number of the message.
 bool begins_with(std::string_view message, std::string_view words) {
   if (!message.starts_with(words)) return false;
   const std::string_view rest = message.substr(words.size());
   return rest.empty() || std::string_view(" :,;").find(rest[0]) != std::string_view::npos;
 }
 
-/// The warnings, by their indices in messages(), that begin with the words of an entry.
+/// The indices in messages() of the warnings that begin with the words of an entry.
 std::vector<std::size_t> meant_by(const AcceptedWarning& entry, const Diagnostics& diagnostics) {
   std::vector<std::size_t> meant;
   const auto& messages = diagnostics.messages();

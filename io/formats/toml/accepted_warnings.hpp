@@ -10,14 +10,14 @@ namespace netloft::formats {
 ///   warning = "top-wing.aft"      # the words with which the warning begins
 ///   reason = "the sheet says so"
 ///
-/// An entry means one warning: that which begins with its words, whole words or numbers. If several warnings
-/// begin so, none is accepted.
+/// An entry is for one warning, which begins with these words (whole words or numbers). If several warnings
+/// begin with them, none is accepted.
 
 /// Marks the warnings that the key `accept` of a document names.
 void mark_accepted(const Value& root, Diagnostics& diagnostics);
 
-/// Marks them, refuses entries without a warning or a reason, and, unless there are errors, warns of entries
-/// that do not mean exactly one warning. Call it once, after all warnings are known.
+/// Marks these warnings, and refuses entries without `warning` or `reason`. Unless there are errors, it also
+/// warns of entries that do not match exactly one warning. Call it once, after all warnings are known.
 void accept_warnings(const Value& root, Diagnostics& diagnostics);
 
 }  // namespace netloft::formats

@@ -108,7 +108,8 @@ void for_places(Value& value, const Visit& visit) {
     for (Value& item : array->items) for_places(item, visit);
 }
 
-/// Reads a value as TOML, or else as a text. `place` is the place of the text after the '='.
+/// Reads a value as TOML or, if it is not valid TOML, as a text. `place` is the place of the text after the
+/// '='.
 Value parse_value(const std::string& text, const Place& place) {
   const std::string kKey = "v=";
   Diagnostics unheard;
@@ -143,7 +144,7 @@ class Walk {
     at_ = nullptr;
   }
 
-  /// Replaces a text that is short for a table by this table.
+  /// Replaces a text that is an abbreviation of a table by this table.
   void write_out() {
     const bool names_a_table = at_->as<std::string>() && std::find(naming_.keys.begin(), naming_.keys.end(),
                                                                    key_) != naming_.keys.end();

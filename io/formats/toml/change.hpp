@@ -29,31 +29,32 @@ struct Change {
   bool operator==(const Change&) const = default;
 };
 
-/// Reads "parts.net.cells=[64,64]", the argument of `--set`. The value is TOML, or else a text, so that
-/// solver=newton and bar=0.6 m need no quotes. Items of arrays count from 0: "hold[0].at[2]=-19 m". If the
-/// text is not valid, the change has a `fault`, which `apply` reports.
+/// Reads "parts.net.cells=[64,64]", the argument of `--set`. A value that is not valid TOML is a text, so
+/// that solver=newton and bar=0.6 m need no quotes. Items of arrays count from 0: "hold[0].at[2]=-19 m". If
+/// the text is not valid, the change has a `fault`, which `apply` reports.
 Change read_change(const std::string& text, const std::string& option = "--set");
 
 std::vector<Change> read_changes(const std::vector<std::string>& texts);
 
 /// Makes a change that replaces the value of a key: make_change({"parts", "net", "cells"}, 8). Errors in the
-/// value are reported as for the corresponding `--set`.
+/// value are reported as if they were in the corresponding `--set`.
 Change make_change(std::initializer_list<std::string_view> keys, Value value);
 
 /// Whether `change` makes the `earlier` change ineffective, because it replaces the same value or a table
 /// that contains it.
 bool undoes(const Change& change, const Change& earlier);
 
-/// Keys whose value is a table, or a text that names a table elsewhere. The text is short for a table with
-/// one key: with `twine` among the keys and "part" as `name`, twine = "pe-4mm" means twine = { part =
-/// "pe-4mm" }.
+/// Keys whose value is a table, or a text as an abbreviation of a table with the single key `name`. For
+/// example, if `twine` is such a key and `name` is "part", twine = "pe-4mm" means twine = { part = "pe-4mm"
+/// }.
 struct NamingKeys {
   std::vector<std::string> keys = {};
-  std::string name = {};  // key of the text in the table
+  std::string name = {};  // key in the table whose value is the text
 };
 
 /// Applies a change to a document. Reports a fault of the change, and a path that does not fit the document.
-/// A change below a text that `naming` knows to be short for a table writes the table out.
+/// If the path leads into a text that abbreviates a table according to `naming`, the text is first replaced
+/// by the table.
 void apply(Value& root, const Change& change, Diagnostics& diagnostics, const NamingKeys& naming = {});
 
 inline void append(std::vector<Change>& all, const std::vector<Change>& more) {

@@ -115,8 +115,8 @@ std::string Diagnostics::source_line(const Place& place) const {
   return line;
 }
 
-/// The line and its underline, cut to a window around the marked place. A control character is as wide as
-/// its printable form.
+/// The line and its underline, cut to a window around the marked place. The width of a control character is
+/// that of its printable form.
 std::string Diagnostics::excerpt(const Place& place) const {
   const std::vector<std::string> line = characters_of(source_line(place));
   if (line.empty()) return {};

@@ -24,7 +24,7 @@ enum class Severity { error, warning };
 /// A proposal that may remove a message: new values of keys, each as the argument of `--set`.
 struct Cure {
   std::vector<std::string> changes;  // such as "panels.bag.aft=20"
-  std::string note = {};             // condition of the proposal, which follows its values; may be empty
+  std::string note = {};             // a condition, printed after the values; may be empty
 };
 
 struct Diagnostic {
@@ -32,10 +32,10 @@ struct Diagnostic {
   Place place;
   std::string message;
   std::string hint;  // the cure; may be empty
-  /// Proposals, the likeliest first. They are not part of the hint before somebody has tried them.
+  /// Proposals, the likeliest first. They become part of the hint only after they have been tried.
   std::vector<Cure> cures = {};
-  std::vector<std::string> changes = {};  // values that the hint proposes first, which remove the message
-  std::string accepted = {};              // reason why the user accepts the warning; empty: does not
+  std::vector<std::string> changes = {};  // the first proposed values of the hint, which remove the message
+  std::string accepted = {};              // why the user accepts the warning; empty: it is not accepted
 };
 
 /// Collects all errors of an input, so that they are reported together.
@@ -45,8 +45,8 @@ class Diagnostics {
   static constexpr std::size_t kMostShown = 100;
   static constexpr std::size_t kMostCured = 20;
 
-  /// Adds a source and returns its index. Messages are sorted by the order of sources: the root file comes
-  /// first. Messages show only the name of a command line, without the line and column.
+  /// Adds a source and returns its index. Messages are sorted in the order of sources, the root file first.
+  /// For a source that is a command line, messages show its name, but no line and column.
   int add_source(std::string name, std::string text, Source kind = Source::file);
 
   void error(const Place& place, std::string message, std::string hint = {}, std::vector<Cure> cures = {});
@@ -63,20 +63,20 @@ class Diagnostics {
   const std::vector<Diagnostic>& messages() const { return entries_; }
 
   int errors() const { return errors_; }
-  /// Whether the next error is still among those that are shown. Otherwise no hint, which may take long to
-  /// find, is needed.
+  /// Whether the next error will be shown. If not, no hint is needed; finding one may take long.
   bool wants_hints() const { return errors_ < static_cast<int>(kMostShown); }
-  /// Whether proposals for the next message are still tried. If not, none needs to be made.
+  /// Whether proposals for the next message will be tried. If not, there is no need to make any.
   bool wants_cures() const { return tries_cures_ && entries_.size() < kMostCured; }
-  /// `tries`: whether somebody tries the proposals for later messages.
+  /// `tries`: whether the proposals for later messages will be tried.
   void expect_trials(bool tries) { tries_cures_ = tries; }
   /// Number of warnings that the user does not accept.
   int warnings() const { return static_cast<int>(entries_.size()) - errors_ - accepted_; }
 
-  /// Accepts the warning of this index in messages(), for a reason. It is counted and shown no more.
+  /// Accepts the warning with this index in messages(), for a reason. The warning is no longer counted or
+  /// shown.
   void accept(std::size_t warning, std::string reason);
 
-  /// All messages but accepted warnings, sorted by source, line and column.
+  /// All messages except accepted warnings, sorted by source, line and column.
   std::vector<Diagnostic> sorted() const;
   /// The accepted warnings, sorted in the same way.
   std::vector<Diagnostic> accepted() const;

@@ -84,12 +84,12 @@ std::string find_trouble(const std::string& text) {
   return {};
 }
 
-/// Reads a file and, before it, the files that it includes.
+/// Reads a file and the files that it includes, which come first.
 class Loader {
  public:
   enum class Others { opened, refused };  // what happens to files that are not in `stored`
 
-  /// `stored`: texts that take the place of files.
+  /// `stored`: texts that are used instead of files.
   Loader(std::vector<SourceFile>& files, Diagnostics& diagnostics, const StoredTexts& stored = {},
          Others others = Others::opened)
       : files_(files), diagnostics_(diagnostics), stored_(stored), others_(others) {}

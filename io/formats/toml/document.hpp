@@ -14,13 +14,13 @@ namespace netloft::formats {
 
 /// A file that was read, for the record of a run.
 struct SourceFile {
-  std::string path;  // the root as given; an include relative to the file that names it
+  std::string path;  // the path of the root as given, or that of an include relative to the including file
   std::string text;
   std::string hash;  // "fnv1a64:" and 16 hexadecimal digits of the text; distinguishes versions, but is not a
                      // signature
 };
 
-/// Texts by file name (normalised, as in Document::files()) that take the place of the files.
+/// Texts that are used instead of files, by their normalised names (as in Document::files()).
 using StoredTexts = std::map<std::string, std::string>;
 
 /// A scene file with its includes and the overrides of the command line, as one table.
@@ -33,15 +33,15 @@ class Document {
   /// Errors go to `diagnostics`; after an error the document contains whatever could be read.
   static Document load(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                        Diagnostics& diagnostics);
-  /// The same without overrides; a file whose name is in `edited` has that text, and is not opened.
+  /// Loads a file without overrides. If a name is in `edited`, its text is used, and the file is not opened.
   static Document load_edited(const std::filesystem::path& path, const StoredTexts& edited,
                               Diagnostics& diagnostics);
   /// Parses a text in memory; includes are relative to the working directory.
   static Document parse(std::string text, const std::string& name, const std::vector<std::string>& overrides,
                         Diagnostics& diagnostics);
 
-  /// Merges files that were read earlier, as files() listed them; no file is opened. An include whose text is
-  /// not among them is an error.
+  /// Merges files that were read earlier, in the order of files(), without opening any file. An included file
+  /// that is not among them is an error.
   static Document recall(std::vector<SourceFile> files, Diagnostics& diagnostics);
 
   /// The complete table, without `include`.

@@ -11,8 +11,8 @@ std::size_t end_of_line(std::string_view text, std::size_t at) {
   return std::min(text.find('\n', at), text.size());
 }
 
-/// The position after the string that begins at `at`. A string that is never closed ends at the end of its
-/// line or of the text.
+/// The position after the string that begins at `at`. If the string has no end, this is the end of its line
+/// or of the text.
 std::size_t skip_string(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const std::string triple(3, quote);

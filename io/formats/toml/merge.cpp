@@ -22,7 +22,7 @@ void append(Array& base, Array over) {
 
 void merge_tables(Table& base, Table over) {
   std::unordered_map<std::string, std::size_t>
-      there;  // a linear search per key would make long tables quadratic
+      there;  // a linear search for every key would take quadratic time for long tables
   for (std::size_t i = 0; i < base.members.size(); ++i) there.emplace(base.members[i].key, i);
   for (Member& member : over.members) {
     if (const auto found = there.find(member.key); found != there.end()) {

@@ -12,7 +12,7 @@ namespace netloft::formats {
 /// everything else replaces. Each value keeps the place where it was written.
 void merge(Value& base, Value over);
 
-/// Adds a key that the table does not have; its place is that of its value.
+/// Adds a key that the table does not have yet. The place of the key is that of its value.
 inline void put(Table& table, const std::string& key, Value value) {
   const Place place = value.place;
   table.members.push_back({key, place, std::move(value)});

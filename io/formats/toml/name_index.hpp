@@ -11,10 +11,11 @@
 namespace netloft::formats {
 
 /// Finds items of a list by name without a search through the list. The list may grow at its end between two
-/// calls. Any other change of it, or of a name in it, needs a new index. Not safe for several threads.
+/// calls. After any other change of the list or of a name in it, a new index is needed. Not safe for several
+/// threads.
 class NameIndex {
  public:
-  /// The index of the first item of this name in `all`; name_of(item) is the name of an item.
+  /// The index of the first item with this name in `all`; name_of(item) returns the name of an item.
   template <class List, class NameOf>
   std::optional<std::size_t> find(std::string_view name, const List& all, const NameOf& name_of) {
     for (; known_ < all.size(); ++known_) first_.emplace(name_of(all[known_]), known_);

@@ -7,7 +7,7 @@
 
 namespace netloft::formats {
 
-/// Facts that the reader of a number knows of it.
+/// Properties of a number that its reader knows.
 struct NumberWords {
   std::string unit;  // unit of the range
   std::string doc;   // half a sentence: "stretched mesh size"
@@ -15,8 +15,8 @@ struct NumberWords {
   bool is_whole = false;
 };
 
-/// Keeps what readers know of the numbers that this thread reads, by their paths, while it exists. A number
-/// that is found in a stored result is not read again.
+/// While it exists, collects the properties of all numbers that this thread reads, by path. Numbers in parts
+/// that are taken from memory are not read again and not collected.
 class CollectedWords {
  public:
   CollectedWords();
@@ -30,7 +30,7 @@ class CollectedWords {
   CollectedWords* before_;
 };
 
-/// Hands the words of a number to the collector of this thread, if there is one.
+/// Gives the properties of a number to the collector of this thread, if there is one.
 void collect_words(const std::string& path, const NumberWords& words);
 /// Whether there is one.
 bool are_words_collected();

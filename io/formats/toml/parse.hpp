@@ -8,7 +8,8 @@
 
 namespace netloft::formats {
 
-/// Deepest nesting of tables and arrays. Deeper ones are refused, so that functions on the tree may recurse.
+/// Deepest nesting of tables and arrays. Deeper nesting is refused, so that functions on the tree can be
+/// recursive.
 constexpr int kDeepestValue = 64;
 
 /// Reads the table in `text`; `file` is the index of the text in `diagnostics`. nullopt after an error.

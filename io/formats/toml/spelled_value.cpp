@@ -27,7 +27,8 @@ std::string quote(std::string_view text) {
   return quoted + '"';
 }
 
-/// Whether a text without quotes is read back as a text: it is a quantity with a unit, or a word.
+/// Whether a text can be written without quotes and is still read as a text: a quantity with a unit, or a
+/// word.
 bool is_plain(const std::string& text) {
   constexpr std::array<std::string_view, 4> kValues = {"true", "false", "inf", "nan"};
   const auto is_of_words = [](char c) {

@@ -10,7 +10,7 @@ namespace netloft::formats {
 /// names of parts look as users write them.
 std::string spell_value(const Value& value);
 
-/// Writes a value as TOML, as a file has it: texts always have quotes.
+/// Writes a value as TOML for a file: texts always have quotes.
 std::string spell_in_file(const Value& value);
 
 }  // namespace netloft::formats

@@ -19,7 +19,7 @@ namespace netloft::formats {
 namespace {
 
 constexpr int kMostErrorsInAnArray = 5;
-constexpr std::size_t kMostUnknownKeys = 50;  // most that are reported in one table
+constexpr std::size_t kMostUnknownKeys = 50;  // limit of unknown keys that are reported in one table
 
 std::string listed(const std::vector<std::string>& words) {
   constexpr std::size_t kMostListed = 40;
@@ -77,7 +77,7 @@ std::string wanted_real(const std::string& unit) {
   return unit == "1" ? std::string("a number") : dimension_name(unit) + " in " + unit;
 }
 
-/// A value within the range, with which the caller continues after an error.
+/// A value within the range. The caller continues with it after an error.
 double within(const Range& range) {
   if (range.contains(0)) return 0;
   if (std::isfinite(range.lo) && std::isfinite(range.hi)) return range.lo + (range.hi - range.lo) / 2;
@@ -126,8 +126,8 @@ std::optional<double> read_number(const Spot& at, const std::string& unit, const
 
 constexpr const char* kDegrees = "an angle in degrees is written \"30 deg\"";
 
-/// The numbers that a key takes, in SI. `written`: the unit that is stated once for all of them, or empty if
-/// each number states its own.
+/// The properties of the wanted numbers, in SI units. `written` is the unit that is stated once for all
+/// numbers; empty if each number states its unit.
 struct Wanted {
   const std::string& unit;
   Range range;
@@ -135,7 +135,7 @@ struct Wanted {
   std::string written = {};
 };
 
-/// A number with six digits; the others may be errors of the conversion of units.
+/// A number with six digits, because further digits may be rounding errors of the conversion of units.
 std::string rounded(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
@@ -159,7 +159,7 @@ std::optional<double> check_range(const Spot& at, double value, const Wanted& wa
   return std::nullopt;
 }
 
-/// Reads a number in a unit that is stated beside it.
+/// Reads a number whose unit is stated separately.
 std::optional<double> read_in_unit(const Spot& at, const Wanted& wanted) {
   const auto number = plain_number(at.value);
   if (!number) {
@@ -182,8 +182,8 @@ std::optional<double> read_real(const Spot& at, const Wanted& wanted) {
   return value ? check_range(at, *value, wanted) : std::nullopt;
 }
 
-/// Warns of an angle that is a whole number without a unit, and so in radians: 30 probably means degrees.
-/// Returns whether the number is such an angle.
+/// Warns of an angle that is a whole number without a unit, because it is read in radians and 30, for
+/// example, probably means degrees. Returns whether the number is such an angle.
 bool question_whole_radians(const Spot& at, const Wanted& wanted) {
   const bool is_plain = wanted.unit == "rad" && wanted.written.empty();
   const auto number = is_plain ? plain_number(at.value) : std::nullopt;
@@ -417,9 +417,9 @@ std::vector<double> TableReader::reals(std::string_view key, const RealsSpec& sp
   return result ? *result : std::vector<double>(stand_in_size(spec.count), within(spec.range));
 }
 
-/// Opens { unit = "deg", values = [0, 5, 10] }, which has one unit for all numbers. Any other value is
-/// returned as it is, without a unit. After an error in the unit, the numbers have no meaning. They are
-/// returned because their count prevents further errors about keys that must have equally many numbers.
+/// Opens { unit = "deg", values = [0, 5, 10] }, where one unit is stated for all numbers. Any other value is
+/// returned unchanged, without a unit. After an error in the unit, the numbers are still returned, although
+/// they have no meaning: their count avoids further errors about keys that need equally many numbers.
 std::optional<TableReader::Numbers> TableReader::numbers_in(const Value& value, std::string_view key,
                                                             const std::string& si_unit,
                                                             const std::string& doc) {

@@ -104,8 +104,8 @@ struct TextsSpec {
 
 enum class Presence { required, optional };
 
-/// Reads a table key by key. Nothing throws: after an error, a message with its place goes to the
-/// Diagnostics, and a value within the range is returned, so that reading continues and finds all errors.
+/// Reads a table key by key. Nothing throws. After an error, a message with its place is added to the
+/// Diagnostics, and a value within the range is returned, so that reading can continue and find all errors.
 /// Check `errors()` before you use the values.
 ///
 /// Copies are cheap and refer to the same table; the Value and the Diagnostics must outlive them.
@@ -138,7 +138,7 @@ class TableReader {
   bool has(std::string_view key);
   /// The kind of a key's value, for keys that take a name or a table; nullopt if the key is missing.
   std::optional<Kind> kind(std::string_view key);
-  /// The unprocessed value, for callers that interpret it themselves; nullptr if the key is missing.
+  /// The value as in the file, for callers that interpret it themselves; nullptr if the key is missing.
   const Value* raw(std::string_view key);
   /// All keys of the table in the file. Does not mark them as known.
   std::vector<std::string> keys() const;
@@ -161,7 +161,7 @@ class TableReader {
     std::string unit;
     const Value* values;
     std::string path;
-    bool is_known = true;  // false: after an error in the unit, so that no range applies
+    bool is_known = true;  // false after an error in the unit: ranges must not be checked
   };
   std::optional<Numbers> numbers_in(const Value& value, std::string_view key, const std::string& si_unit,
                                     const std::string& doc);

@@ -69,7 +69,7 @@ inline Member* Table::find(std::string_view key) {
   return const_cast<Member*>(static_cast<const Table*>(this)->find(key));
 }
 
-/// Adds `by` to the file index of every place in a value and in all values below it.
+/// Adds `by` to the file index of every place in a value and in the values that it contains.
 void shift_files(Value& value, int by);
 
 /// A key as written in a dotted path: bare, or quoted if necessary.

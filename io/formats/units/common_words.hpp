@@ -3,8 +3,8 @@
 
 namespace netloft::formats {
 
-/// Units that are common in scenes, catalogues and the tables of plugins. Error messages propose them in
-/// place of an unknown word, and the program knows them without reading the database of UDUNITS.
+/// Units that are common in scenes, catalogues and the tables of plugins. Error messages propose them instead
+/// of an unknown unit. The program knows them without reading the database of UDUNITS.
 inline constexpr const char* kCommonWords[] = {
     "m",     "mm",      "cm",     "km",       "um",     "in",   "ft",     "fathom", "nmi",    "nautical_mile",
     "kg",    "g",       "t",      "tonne",    "lb",     "N",    "kN",     "MN",     "daN",    "kgf",

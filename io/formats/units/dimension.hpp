@@ -16,7 +16,7 @@ struct DimensionName {
   std::string name;  // name with its article: "a density"
 };
 
-/// The unit and the name of a dimension; a dimension without a special name is "a quantity".
+/// The SI unit and the name of a dimension. The name is "a quantity" if there is no special name.
 DimensionName describe(const Dimension& dimension);
 
 }  // namespace netloft::formats

@@ -6,7 +6,7 @@
 
 namespace netloft::formats {
 
-/// A text from the user in quotes, for messages; very long texts are shortened.
+/// Puts a text from the user in quotes, for messages. Very long texts are shortened.
 std::string in_quotes(std::string_view text);
 
 }  // namespace netloft::formats

@@ -17,8 +17,8 @@ std::mutex& library_lock() {
   return lock;
 }
 
-/// Symbols added to the database. UDUNITS compares symbols with their case and names without it: "kn" must be
-/// a symbol, because otherwise kN would be a knot.
+/// Symbols added to the database. UDUNITS distinguishes upper and lower case in symbols, but not in names.
+/// "kn" must be a symbol, because otherwise kN would be a knot.
 constexpr struct {
   const char* symbol;
   const char* definition;
@@ -28,8 +28,8 @@ constexpr struct {
     {"Rtex", "tex"},     {"rtex", "tex"},
 };
 
-/// Names added to the database. The fathom of UDUNITS has 6 US survey feet; it is 2 ppm longer than the 6
-/// international feet of charts and warps.
+/// Names added to the database. The fathom of UDUNITS is 6 US survey feet, which is 2 ppm longer than the
+/// fathom of charts and warps, 6 international feet.
 constexpr struct {
   const char* name;
   const char* definition;
@@ -117,7 +117,7 @@ UnitSystem::~UnitSystem() {
 }
 
 const UnitSystem& UnitSystem::shared() {
-  // Never destroyed: freeing its thousands of units takes longer than reading them.
+  // Never destroyed, because freeing its thousands of units takes longer than reading them.
   static const UnitSystem& system =
       std::getenv("UDUNITS2_XML_PATH") ? *new UnitSystem : *new UnitSystem(WhenNeeded{});
   return system;

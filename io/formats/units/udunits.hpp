@@ -20,15 +20,15 @@ struct Unit {
 /// The UDUNITS-2 database, with words of fishing and shipping that it lacks or defines differently.
 class UnitSystem {
  public:
-  /// Reads the database udunits2.xml at the path `database`. If this path is empty, the variable
-  /// UDUNITS2_XML_PATH names the database; without this variable, the installed one is read.
+  /// Reads the database udunits2.xml at the path `database`. If this path is empty, the path in the variable
+  /// UDUNITS2_XML_PATH is used; without this variable, the installed database is read.
   explicit UnitSystem(const std::string& database = {});
   ~UnitSystem();
   UnitSystem(const UnitSystem&) = delete;
   UnitSystem& operator=(const UnitSystem&) = delete;
 
-  /// The instance that all callers use. It reads its database at the first word that is not a common word
-  /// (known_words.hpp); if UDUNITS2_XML_PATH is set, it reads that database immediately.
+  /// The instance that all callers use. It reads the database when a word is not a common word
+  /// (known_words.hpp). If UDUNITS2_XML_PATH is set, it reads that database immediately.
   static const UnitSystem& shared();
 
   /// The reason why the database could not be read, as a sentence; an empty text if it was read, or was not
@@ -44,7 +44,7 @@ class UnitSystem {
   explicit UnitSystem(WhenNeeded) {}
   void read(const std::string& database) const;
 
-  // These members change only while the parser's lock is held.
+  // These members must be changed only while the lock of the parser is held.
   mutable bool was_read_ = false;
   mutable ut_system* system_ = nullptr;
   mutable std::string trouble_;

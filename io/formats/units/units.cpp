@@ -64,7 +64,7 @@ Quantity split(std::string_view text, const std::string& example, Written& out) 
   return {};
 }
 
-/// The hint for a word that means one thing to UDUNITS and another at sea; empty for other words.
+/// The hint for a word that has another meaning at sea than in UDUNITS; empty for other words.
 std::string ambiguity(const std::string& word) {
   std::string lower(word.size(), ' ');
   std::transform(word.begin(), word.end(), lower.begin(), detail::lower);
@@ -129,7 +129,7 @@ const KnownUnit& unit_of(std::string_view text) {
 
 const KnownUnit& wanted_unit(std::string_view si_unit) { return unit_of(si_unit == "1" ? "" : si_unit); }
 
-/// Stands for the wanted unit of a text that may have any unit.
+/// Passed as the wanted unit if a text may have any unit.
 constexpr std::string_view kAnyUnit = "?";
 
 /// `si_unit` and the common units with its dimension; all common units for kAnyUnit.
@@ -156,8 +156,8 @@ std::string proposal(std::string unit, const std::vector<std::string>& candidate
 }
 
 /// Refuses a quantity because `word`, a part of its unit, is not known; an empty word means that the unit
-/// cannot be divided into words. The hint proposes units of the wanted dimension if the word is the whole
-/// unit, and units of any dimension if it is a factor in a product.
+/// cannot be divided into words. If the word is the whole unit, the hint proposes units of the wanted
+/// dimension. If it is a factor in a product, the hint proposes any units.
 Quantity refuse_unknown(std::string_view text, const std::string& unit, std::string word,
                         std::string_view si_unit) {
   if (word.empty())
@@ -177,7 +177,7 @@ std::string cure(const std::string& unit, const Dimension& got, const Dimension&
   if (should == "a speed" && unit == "kN") return "kN is the kilonewton; the knot is kn";
   if (should == "a speed" && unit == "ms-1") return "ms is the millisecond; write m/s or m s-1";
   if (is == "a pure number" && unit.empty()) return "add a unit, or omit the quotes for an SI number";
-  // UDUNITS takes kph for a kilophot and knt for a kilonit, whose dimension no quantity of a scene has.
+  // UDUNITS takes kph for a kilophot and knt for a kilonit. No quantity of a scene has such a dimension.
   return is == "a quantity" ? proposal(unit, units_like(si_unit)) : "";
 }
 

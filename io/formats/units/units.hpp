@@ -6,7 +6,7 @@
 
 namespace netloft::formats {
 
-/// The SI value of a text such as "10 mm", or a sentence that explains why it has none.
+/// The SI value of a text such as "10 mm", or a sentence that explains why the text has none.
 struct Quantity {
   double value = 0;   // finite value in the requested unit
   std::string error;  // empty if the value is valid
@@ -32,7 +32,7 @@ WrittenQuantity read_as_written(std::string_view text);
 /// The name of a quantity in `unit`, with its article: "a force" for "N"; a unit without a name is "a value".
 std::string dimension_name(std::string_view unit);
 
-/// The shortest decimal number that is read back as `value`.
+/// The shortest decimal number from which `value` is read again.
 std::string format(double value);
 /// The value as text, followed by its unit unless that is "1".
 std::string format(double value, std::string_view unit);

@@ -23,7 +23,7 @@ LongWork::LongWork(const Step& first) {
   try {
     report(first);
   } catch (...) {
-    leave();  // the destructor does not run if the constructor throws
+    leave();  // needed because the destructor does not run if the constructor throws
     throw;
   }
 }

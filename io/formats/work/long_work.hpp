@@ -7,14 +7,14 @@
 
 namespace netloft::formats {
 
-/// A step of long work, for a line of progress: "meshing" "belly", 1200 "nodes" so far.
+/// A step of long work, for a line of progress such as "meshing belly, 1200 nodes".
 struct Step {
   std::string_view deed, of;
   std::size_t done = 0;
   std::string_view unit = {};  // empty: nothing is counted
 };
 
-/// Thrown through long work that the user has interrupted. Functions that have results to keep catch it.
+/// Thrown when the user interrupts long work. Functions that have results to keep catch it.
 struct Interrupted : std::exception {
   const char* what() const noexcept override { return "interrupted"; }
 };
@@ -41,10 +41,10 @@ class LongWork {
   LongWork& operator=(const LongWork&) = delete;
 };
 
-/// Reports a step of the current work to the follower, if there is a follower and work has begun. Throws
-/// Interrupted if the work is to end.
+/// Reports a step of the current work to the follower, if there is one and if work has begun. Throws
+/// Interrupted if the work has to end.
 void report(const Step& step);
-/// Throws Interrupted if the work is to end; for calls within a step that takes long.
+/// Throws Interrupted if the work has to end. For calls within a step that takes long.
 void hear_interruption();
 
 }  // namespace netloft::formats

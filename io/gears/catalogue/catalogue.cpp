@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kSeaWater = 1025;  // density ρ_w of sea water [kg/m³]
 
-/// The entries at the head of a catalogue file, which apply to all parts in the file.
+/// The entries at the beginning of a catalogue file, which apply to all parts in the file.
 struct FileHead {
   std::string source, uncertainty;
 };

@@ -42,8 +42,8 @@ class Catalogue {
 
   static Catalogue load_file(const std::filesystem::path& file, formats::Diagnostics& diagnostics);
 
-  /// The parts in files that were read earlier, in that order; no file is opened. Files in one folder belong
-  /// together, and those that are not TOML are left out.
+  /// Makes a catalogue from files that were read earlier, in that order, without opening any file. Files in
+  /// one folder belong together; files that are not TOML are skipped.
   static Catalogue recall(const std::vector<formats::SourceFile>& files, formats::Diagnostics& diagnostics);
 
   /// Adds `by` to the file index of all places. Needed after the catalogue's files were appended to those of
@@ -54,7 +54,7 @@ class Catalogue {
   const CataloguePart* find(const std::string& name, const std::vector<std::string>& kinds) const;
   /// The parts in the order in which they were read.
   const std::vector<CataloguePart>& parts() const { return parts_; }
-  /// Groups of words that mean the same in the names of parts, in lower case.
+  /// Groups of synonyms in the names of parts, in lower case.
   const std::vector<std::vector<std::string>>& synonyms() const { return synonyms_; }
   const std::vector<formats::SourceFile>& files() const { return files_; }
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
@@ -76,8 +76,8 @@ class Catalogue {
 /// read only once.
 class KeptCatalogue {
  public:
-  /// The catalogue of catalogue_folders(), of which `own` are the first. Its sources and messages are added
-  /// to `diagnostics`.
+  /// The catalogue in the folders catalogue_folders(own). Its sources and messages are added to
+  /// `diagnostics`.
   std::shared_ptr<const Catalogue> of(const std::vector<std::filesystem::path>& own,
                                       formats::Diagnostics& diagnostics);
 

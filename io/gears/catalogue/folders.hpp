@@ -9,7 +9,7 @@
 
 namespace netloft::gears {
 
-/// The folders that are searched for catalogues, in this order: `own`, which a file names; those in the
+/// The folders that are searched for catalogues, in this order: `own`, which a file names; the folders in the
 /// variable NETLOFT_CATALOGUE, separated by colons; and the gear library. The library is
 /// share/netloft/gear-library/catalogue of the installation. A folder of the variable that cannot be read is
 /// an error.

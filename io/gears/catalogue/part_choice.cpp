@@ -12,8 +12,8 @@ namespace {
 
 constexpr const char* kPart = "part";
 
-/// Returns the value that names a part: the one of the key `part` if `said` is a table with this key, else
-/// `said`.
+/// Returns the value that names a part: if `said` is a table with the key `part`, the value of this key,
+/// otherwise `said`.
 const formats::Value& naming_value(const formats::Value& said) {
   const formats::Table* table = said.as<formats::Table>();
   const formats::Member* part = table ? table->find(kPart) : nullptr;

@@ -13,18 +13,18 @@ namespace netloft::gears {
 /// = "pe-braided-4mm", diameter = "4.2 mm" }, where the other keys override those of the part.
 bool names_a_part(const formats::Value& said);
 
-/// The keys whose text names a part: `--set twine.EA=4` makes { part = "pe-braided-4mm", EA = 4 } of
-/// "pe-braided-4mm".
+/// The keys whose value may be the name of a part. With them, `--set twine.EA=4` changes twine =
+/// "pe-braided-4mm" to twine = { part = "pe-braided-4mm", EA = 4 }.
 const formats::NamingKeys& keys_that_name_parts();
 
-/// The part of one of `kinds` that `said` names. If there is none, the result is nullptr, and an error that
-/// lists similar names is reported. `path` is the key of `said`, for messages.
+/// The part of one of `kinds` that `said` names. If there is none, reports an error with similar names and
+/// returns nullptr. `path` is the key of `said`, for messages.
 const CataloguePart* choose_part(const formats::Value& said, const std::vector<std::string>& kinds,
                                  const std::string& path, const Catalogue& catalogue,
                                  formats::Diagnostics& diagnostics);
 
 /// A table of the numbers and curves of a part, overridden by those in `said`. Contains only keys for which
-/// `wanted(key)` is true. Numbers have the place of `said`, because the user can change them there.
+/// `wanted(key)` is true. Places of numbers are that of `said`, where the user can change them.
 formats::Value spell_out(const formats::Value& said, const CataloguePart& part,
                          const std::function<bool(const std::string&)>& wanted);
 

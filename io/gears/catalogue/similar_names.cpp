@@ -16,7 +16,7 @@ namespace {
 using Words = std::vector<std::string>;
 
 constexpr std::size_t kMostNames = 3;
-constexpr std::size_t kMostLetters = 64;  // of a name that may be meant for another one
+constexpr std::size_t kMostLetters = 64;  // longest name that is compared with names of parts
 
 /// The words of a name in lower case: "Nylon-2mm" has nylon and 2mm.
 Words words_of(const std::string& name) {
@@ -43,7 +43,7 @@ Words synonyms_of(const std::string& word, const std::vector<Words>& groups) {
   return {word};
 }
 
-/// A diameter [m] written as a word, such as 2.3mm; nullopt if the word is none.
+/// The diameter [m] in a word such as 2.3mm; nullopt if the word is not a diameter.
 std::optional<double> diameter_in(const std::string& word) {
   double millimetres = 0;
   const auto* end = word.data() + word.size();
@@ -53,8 +53,8 @@ std::optional<double> diameter_in(const std::string& word) {
 }
 
 /// The name that differs in the fewest letters, possibly after a word is replaced by a synonym. At most a
-/// sixth of the letters, or one, may be wrong, because names of different materials may differ in few
-/// letters.
+/// sixth of the letters, or a single one, may be wrong, because names of different materials may differ in
+/// few letters.
 std::optional<std::string> nearest_spelling(const std::string& name, const std::vector<std::string>& names,
                                             const std::vector<Words>& groups) {
   std::optional<std::string> best;
@@ -77,7 +77,7 @@ std::optional<std::string> nearest_spelling(const std::string& name, const std::
   return best;
 }
 
-/// Number of words of a name, without its diameter, for which the name of a part has neither the word nor a
+/// Number of words of a name (without the diameter) that do not occur in the name of a part, not even as a
 /// synonym.
 std::size_t other_words(const Words& words, const Words& of_part, const std::vector<Words>& groups) {
   return static_cast<std::size_t>(std::count_if(words.begin(), words.end(), [&](const std::string& word) {
@@ -115,7 +115,7 @@ std::vector<Similar> with_common_words(const std::string& name,
   return found;
 }
 
-/// The names of the first parts; those of the same diameter if there are any.
+/// The names of the first parts with the same diameter, or of the first parts if none has it.
 std::vector<std::string> first_names(const std::vector<Similar>& found) {
   constexpr double kSame = 1e-6;  // [m]
   std::vector<std::string> names;

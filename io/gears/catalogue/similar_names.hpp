@@ -4,9 +4,9 @@
 
 namespace netloft::gears {
 
-/// Proposals for `name`, which no part has: up to three names of parts that have all its words, or synonyms
-/// of them, with the nearest diameters. If there are none, the name that differs in a few letters; or else up
-/// to three names that have some of its words. Empty if nothing is similar.
+/// Proposals if no part is called `name`: up to three names of parts with all its words (or synonyms of them)
+/// and with the nearest diameters. If there are none, a name that differs in a few letters, or up to three
+/// names with some of its words. Empty if nothing is similar.
 std::vector<std::string> similar_names(const std::string& name,
                                        const std::vector<const CataloguePart*>& parts,
                                        const std::vector<std::vector<std::string>>& synonyms);

@@ -173,7 +173,7 @@ class Draughtsman {
     return scale_(placed.on_sheet(p));
   }
 
-  /// Labels of the netting are to port, labels of the cuttings to starboard.
+  /// Labels of the netting are on the port half, labels of the cuttings on the starboard half.
   void draw_labels(const PlacedPanel& placed) {
     if (placed.is_mirrored) return;
     for (const auto& edge : placed.outline.edges) draw_edge_label(placed, edge);
@@ -237,8 +237,8 @@ class Draughtsman {
     return places;
   }
 
-  /// Adds the place `along` of the way from port to starboard at half the height of a panel, if the panel is
-  /// wide and high enough there.
+  /// Adds a place for the label at half the height of a panel, at the fraction `along` of its width from
+  /// port, if the panel is wide and high enough there.
   void add_place_inside(const PlacedPanel& placed, const std::vector<std::string>& lines, double along,
                         std::vector<TextBlock>& places) const {
     const Box box = box_of({placed});
@@ -276,7 +276,7 @@ class Draughtsman {
     for (const auto& line : lines) longest = std::max(longest, Lettering::length_of(line, kSmall));
     return longest;
   }
-  /// The base line of the first of several lines around a height of the sheet.
+  /// The base line of the first of several lines of text that are centred at a height of the sheet.
   double first_line(double middle, const std::vector<std::string>& lines) const {
     return scale_({0, middle}).y - height_of(lines) / 2 + 0.8 * kNormal;
   }
@@ -295,7 +295,7 @@ class Draughtsman {
   }
 
   /// Draws a scale bar. Its length is a round number of metres, about an eighth of the width of the sheet.
-  /// Measured across the gear, the bar represents half of the stretched width.
+  /// Across the gear, the bar measures half of the stretched width.
   void draw_scale() {
     const double wanted = kWidth / 8 / scale_.per_metre, power = std::pow(10, std::floor(std::log10(wanted)));
     const double metres = wanted >= 5 * power ? 5 * power : wanted >= 2 * power ? 2 * power : power;

@@ -9,11 +9,11 @@ namespace netloft::gears {
 namespace {
 
 constexpr double kMeanLetter =
-    0.58;                       // mean width of a letter of Noto Sans over its size; others are narrower
+    0.58;  // mean width of a letter of Noto Sans relative to its size; most other fonts are narrower
 constexpr double kRim = 4;      // least distance of texts from the edge of the drawing
 constexpr double kBetween = 4;  // texts on one line that are closer than this look like one text
-// Number of texts that fill a sheet. A search for a free place for further texts would take time and find
-// none.
+// With this number of texts, a sheet is full. Searching free places for further texts would take time and
+// find none.
 constexpr std::size_t kMostAvoided = 2000;
 
 double size_of(std::size_t line) { return line == 0 ? Lettering::kNormal : Lettering::kSmall; }
@@ -21,7 +21,7 @@ double size_of(std::size_t line) { return line == 0 ? Lettering::kNormal : Lette
 }  // namespace
 
 double Lettering::length_of(const std::string& text, double size) {
-  // Bytes that continue a character of UTF-8 are no letters.
+  // Bytes that continue a UTF-8 character do not count as letters.
   const auto letters = std::count_if(text.begin(), text.end(),
                                      [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; });
   return kMeanLetter * size * static_cast<double>(letters);

@@ -15,7 +15,7 @@ struct TextBlock {
 };
 
 /// Writes texts on a drawing of a given width, and stores their places, so that later texts can avoid them.
-/// Lengths of texts are estimated, because every reader has other fonts.
+/// Lengths of texts are estimated, because fonts differ between computers.
 class Lettering {
  public:
   static constexpr double kSmall = 10, kNormal = 12, kLeading = 13.6;  // sizes and distance of lines
@@ -29,7 +29,7 @@ class Lettering {
              formats::Anchor anchor);
   /// Writes a block, the first line in normal size and the others in small size.
   void write(const TextBlock& block, const char* colour);
-  /// Area over which a block and earlier texts would overlap, or the block and the edge of the drawing.
+  /// Area in which a block would overlap earlier texts or cross the edge of the drawing.
   double overlap(const TextBlock& block) const;
 
  private:
@@ -44,7 +44,7 @@ class Lettering {
   std::vector<Area> taken_;
 };
 
-/// Breaks a text at spaces into lines that are at most `longest` long, as far as its words allow.
+/// Breaks a text at spaces into lines of at most the length `longest`, unless a single word is longer.
 std::vector<std::string> broken_into_lines(const std::string& text, double size, double longest);
 
 }  // namespace netloft::gears

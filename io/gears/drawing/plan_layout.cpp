@@ -41,8 +41,8 @@ std::optional<Seam> seam_of(EdgeSet a, EdgeSet b) {
   return Seam{std::move(a), std::move(b)};
 }
 
-/// The box around a panel on the sheet [m on the net]; of a middle panel around both halves, and of a pair
-/// around the panel to starboard.
+/// The box around a panel on the sheet [m on the net]. It contains both halves of a middle panel, but only
+/// the starboard panel of a pair.
 struct PanelBox {
   double left = INFINITY, right = -INFINITY, fore = INFINITY, aft = -INFINITY;
 
@@ -131,7 +131,8 @@ class Sheet {
     next_ += (1 + kGap) * (right - left);
   }
 
-  /// A panel to be placed unless it is placed already, its position, and the x of its mirror image in a pair.
+  /// A panel that is to be placed if it has no place yet, its position, and for a pair the x of its mirror
+  /// image.
   struct Next {
     const Panel* panel;
     double x, y, mirror_about;
@@ -155,9 +156,9 @@ class Sheet {
     }
   }
 
-  /// Stores the place of a panel unless it overlaps panels of the previous column; returns whether it did. A
-  /// panel that overlaps others begins a new column, such as the lower panel that is sewn to the same tube as
-  /// the upper one.
+  /// Stores the place of a panel, unless the panel would overlap panels of the previous column. Returns
+  /// whether the place was stored. A panel that overlaps others begins a new column, such as the lower panel
+  /// that is sewn to the same tube as the upper one.
   bool takes_its_place(const Next& now) {
     const PanelBox own = box_around({now.panel, now.panel->outline, now.x, now.y, false});
     for (const PanelBox& other : taken_)
@@ -176,7 +177,7 @@ class Sheet {
     return own;
   }
 
-  /// Returns the position of the panel of `edge` at which this edge meets the point `at` of a placed panel.
+  /// Returns the position of the panel of `edge` such that this edge meets the point `at` of a placed panel.
   static Next place_of(const EdgeSet& edge, PanelPoint at, const PlacedPanel& there) {
     const PanelPoint target = there.on_sheet(at), own = middle_of(edge);
     const double across = kHalfWidth * edge.panel->mesh, aft = length_of_mesh(*edge.panel);
@@ -189,7 +190,7 @@ class Sheet {
   std::map<const Panel*, std::vector<Neighbour>> sewn_;
   std::vector<PlacedPanel> placed_;
   std::set<const Panel*> seen_;
-  std::vector<PanelBox> taken_;  // of the panels in the column
+  std::vector<PanelBox> taken_;  // places of the panels in the column
   double next_ = 0, mirror_about_ = 0;
 };
 

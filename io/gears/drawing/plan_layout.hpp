@@ -19,7 +19,7 @@ struct PlacedPanel {
 };
 
 /// Places the panels of a plan on the sheet. Panels that are sewn in a row follow one another in a column;
-/// columns are side by side. A pair of panels is beside the part of the edge to which it is sewn. Middle
+/// columns are side by side. A panel of a pair is beside the part of the edge to which it is sewn. Middle
 /// panels and pairs are placed twice, the second time mirrored.
 std::vector<PlacedPanel> lay_out(const NetPlan& plan);
 

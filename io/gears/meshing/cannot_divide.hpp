@@ -9,8 +9,9 @@
 
 namespace netloft::gears {
 
-/// Thrown for a seam or a panel that cannot be divided into elements: a sentence for the user, and its cure.
-/// Seam and panel are given by index and name, because a divided plan has no places (division.hpp).
+/// Thrown if a seam or a panel cannot be divided into elements. Contains a sentence for the user and a cure.
+/// Seam and panel are given by index and name, because the data that are divided have no places in files
+/// (division.hpp).
 class CannotDivide : public std::invalid_argument {
  public:
   static CannotDivide seam(std::size_t join, const std::string& what, std::string cure) {

@@ -127,8 +127,8 @@ class Cutter {
     all_.sides.push_back(side);
   }
 
-  /// Names the corners of a cloth. A side without extent has both corners at the point where its neighbours
-  /// meet.
+  /// Names the corners of a cloth. Both corners of a side without extent are at the point where its
+  /// neighbours meet.
   void name_corners() {
     Cloth& cloth = all_.cloths.back();
     const std::size_t n = cloth.sides.size();

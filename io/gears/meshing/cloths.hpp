@@ -12,12 +12,12 @@ struct ClothSide {
   std::size_t cloth = 0;
   EdgeRef edge;              // edge of the outline; unused if `is_inside`
   bool is_inside = false;    // whether it is the line between both halves of a middle panel
-  bool is_reversed = false;  // whether it runs against the direction of the outline's edge
+  bool is_reversed = false;  // whether it runs against the direction of the edge of the outline
   EdgeKind kind{};
   bool is_on_plane = false;           // whether it is on the plane of symmetry of half a gear
-  bool goes_aft = false;              // whether an outer or inner side runs aft
-  PanelPoint from, to;                // x is outwards on either side of the gear
-  double edge_from = 0, edge_to = 1;  // fractions of the edge, in the edge's direction
+  bool goes_aft = false;              // whether it is an outer or inner side that runs aft
+  PanelPoint from, to;                // ends of the side; x is outwards on either side of the gear
+  double edge_from = 0, edge_to = 1;  // part of the edge, as fractions in the direction of the edge
   double meshes = 0, stretched = 0;   // counted meshes; length of its straight twines [m]
   double length = 0;                  // length in half-open netting [m]
 
@@ -37,7 +37,7 @@ struct Cloth {
 
 /// Returns the position [m] of a point of a panel in half-open netting, whose bars are at 30 degrees to the
 /// aft direction: x = U m sin 30°, y = V m cos 30°, with U, V the meshes across and deep, m [m] the mesh
-/// size. The meshes of square netting and of turned netting are opened to squares.
+/// size. In square netting and turned netting, meshes are opened to squares instead.
 PanelPoint spread(const Panel& panel, PanelPoint point);
 
 struct Cloths {

@@ -39,13 +39,13 @@ bool Delaunay::is_far(std::uint32_t t) const {
   return corners[0] == kFar || corners[1] == kFar || corners[2] == kFar;
 }
 
-/// The same side, of the triangle beyond it.
+/// The same side as a side of the neighbouring triangle.
 Delaunay::Side Delaunay::twin(const Side& s) const {
   const std::uint32_t beyond = triangles_[s.triangle].across[s.k];
   return {beyond, after(corner_of(beyond, from_of(s)))};
 }
 
-/// Makes two sides with the same ends one side.
+/// Joins two triangles along sides with the same ends.
 void Delaunay::join(const Side& a, const Side& b) {
   triangles_[a.triangle].across[a.k] = b.triangle;
   triangles_[b.triangle].across[b.k] = a.triangle;
@@ -55,7 +55,7 @@ int Delaunay::turn_of(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
   return turn(points_[a], points_[b], points_[c]);
 }
 
-/// Makes the first triangle, and the three outside of it.
+/// Makes the first triangle, and the three triangles outside its sides.
 void Delaunay::start(const std::array<std::uint32_t, 3>& corners) {
   auto [a, b, c] = corners;
   if (turn_of(a, b, c) < 0) std::swap(b, c);
@@ -67,8 +67,9 @@ void Delaunay::start(const std::array<std::uint32_t, 3>& corners) {
   for (const std::uint32_t v : {a, b, c}) one_at_[v] = 0;
 }
 
-/// The triangle that holds p, or one outside the hull from which p is seen, if no side is held. In a Delaunay
-/// triangulation, going through any side that has p beyond it leads there.
+/// The triangle that contains p, or, if p is outside the hull, an outer triangle that can see p. Requires
+/// that no side is held. The walk crosses any side that has p beyond it; in a Delaunay triangulation, this
+/// always leads to p.
 std::uint32_t Delaunay::walk(std::uint32_t t, const PlanePoint& p) const {
   if (is_far(t)) t = triangles_[t].across[corner_of(t, kFar)];
   for (int k = 0; k < 3 && !is_far(t);) {
@@ -83,8 +84,8 @@ std::uint32_t Delaunay::walk(std::uint32_t t, const PlanePoint& p) const {
   return t;
 }
 
-/// Whether the circumcircle of a triangle holds a point. That of a triangle outside the hull is the half
-/// plane beyond its side of the hull, with this side itself.
+/// Whether the circumcircle of a triangle contains a point. For a triangle outside the hull, the circle is
+/// the half plane beyond its side of the hull, including this side.
 bool Delaunay::circles(std::uint32_t t, std::uint32_t point) const {
   const auto& corners = triangles_[t].corners;
   if (!is_far(t))
@@ -96,14 +97,14 @@ bool Delaunay::circles(std::uint32_t t, std::uint32_t point) const {
   return side > 0 || (side == 0 && (a < p) == (p < b));
 }
 
-/// Inserts a point by the method of Bowyer (Comput. J. 24 (1981) 162) and Watson: the triangles whose circles
-/// hold the point, from t on, are replaced by triangles with the point.
+/// Inserts a point by the method of Bowyer (Comput. J. 24 (1981) 162) and Watson: beginning at t, the
+/// triangles whose circles contain the point are replaced by triangles with the point.
 void Delaunay::insert(std::uint32_t point, std::uint32_t t) {
   dig(point, t);
   fill(point);
 }
 
-/// Finds the triangles that go and the sides around them, in their order around the point.
+/// Finds the triangles to be removed, and the sides around them in their order around the point.
 void Delaunay::dig(std::uint32_t point, std::uint32_t t) {
   dug_ = {t};
   rim_.clear();
@@ -171,7 +172,7 @@ void Delaunay::mark_inside() {
 
 std::uint32_t Delaunay::seen_from(std::uint32_t t, int k, const PlanePoint& p) const {
   const PlanePoint& eye = points_[triangles_[t].corners[k]];
-  Side ahead{t, k};  // the line runs from the corner opposite to this side through the side
+  Side ahead{t, k};  // the line begins at the corner opposite to this side
   if (turn(eye, points_[from_of(ahead)], p) <= 0 || turn(eye, points_[to_of(ahead)], p) >= 0) return kFar;
   while (true) {
     const int side = turn(points_[from_of(ahead)], points_[to_of(ahead)], p);

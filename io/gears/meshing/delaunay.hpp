@@ -9,9 +9,10 @@
 
 namespace netloft::gears {
 
-/// The constrained Delaunay triangulation of points in the plane: triangles whose circumcircle holds no point
-/// that can be seen from the triangle, where sides that are *held* block the sight. It depends on the points
-/// and the held sides alone (in_lifted_circle()), and all its decisions are exact.
+/// The constrained Delaunay triangulation of points in the plane: the circumcircle of a triangle contains no
+/// point that can be seen from the triangle. Some sides are *held*: they must exist, and nothing can be seen
+/// through them. The result depends only on the points and the held sides (in_lifted_circle()), and all
+/// decisions are exact.
 ///
 /// Triangles are counter-clockwise. Side k of a triangle is opposite to its corner k. The plane outside the
 /// convex hull consists of triangles with the corner kFar; each of them has a side of the hull.
@@ -31,25 +32,24 @@ class Delaunay {
   const std::vector<PlanePoint>& points() const { return points_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
 
-  /// Holds the line between two points; points on it divide it into several sides. Throws
+  /// Makes the line between two points a held side, or several sides if points are on the line. Throws
   /// std::invalid_argument if it crosses a held side.
   void hold(std::uint32_t a, std::uint32_t b);
 
   /// Marks the triangles that cannot be reached from kFar without crossing a held side.
   void mark_inside();
 
-  /// Moves a point without changing any triangle. restore() is due after all moves; until then, no triangle
-  /// may have turned over.
+  /// Moves a point without changing any triangle. No triangle may turn over. Call restore() after all moves.
   void move(std::uint32_t point, const PlanePoint& to) { points_[point] = to; }
   void restore();
 
-  /// The triangle that holds `p`, found along the straight line from corner k of triangle t to p; kFar if the
-  /// line does not start within this triangle, if a held side or the hull is in the way, or if p lies on one
-  /// of them or on a point.
+  /// The triangle that contains `p`, found along the straight line from corner k of triangle t to p. The
+  /// result is kFar if the line does not begin within this triangle, if it crosses a held side or the hull,
+  /// or if p lies on one of these or on another point.
   std::uint32_t seen_from(std::uint32_t t, int k, const PlanePoint& p) const;
 
-  /// Adds a point within a triangle, or on a side of it that is not held. Returns the triangles around the
-  /// point.
+  /// Adds a point within a triangle, or on one of its sides that is not held. Returns the triangles around
+  /// the point.
   const std::vector<std::uint32_t>& add(const PlanePoint& p, std::uint32_t t);
 
  private:
@@ -89,8 +89,8 @@ class Delaunay {
   std::vector<PlanePoint> points_;
   std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> one_at_;  // a triangle at each point
-  // While a point is inserted: the triangles that go, the sides around them from outside, the triangles that
-  // come.
+  // During the insertion of a point: the triangles to be removed, the sides around them (seen from outside),
+  // and the new triangles.
   std::vector<std::uint32_t> dug_, around_;
   std::vector<Side> rim_;
 };

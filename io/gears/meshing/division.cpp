@@ -86,7 +86,7 @@ void require_sewable(const NetPlan& plan) {
   } catch (const CannotDivide&) {
     throw;
   } catch (const std::invalid_argument&) {
-    return;  // there are too many elements, which the division itself will report
+    return;  // too many elements: the division itself reports this
   }
 }
 
@@ -118,9 +118,10 @@ Division::Division(DivisionInput input)
 std::shared_ptr<Division> Divisions::of(const NetPlan& plan, Extent extent, const Fineness& fineness,
                                         const std::shared_ptr<Division>& like) {
   return recent_.of({geometry_of(plan), extent, fineness, like}, [](const DivisionInput& input) {
-    const bool is_sewn = input.like != nullptr;  // along the same lines as the other gear
+    const bool is_sewn = input.like != nullptr;  // the seams are sewn along the same lines as those of the
+                                                 // other gear
     if (input.extent == Extent::half && !is_sewn)
-      require_sewable(input.geometry);  // the whole gear tells while divided
+      require_sewable(input.geometry);  // for a whole gear, the division itself finds such seams
     return std::make_shared<Division>(input);
   });
 }

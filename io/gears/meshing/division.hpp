@@ -22,12 +22,12 @@ struct DivisionInput {
   NetPlan geometry;
   Extent extent = Extent::whole;
   Fineness fineness;
-  std::shared_ptr<Division> like;  // a division whose topology is taken over; nullptr: none
+  std::shared_ptr<Division> like;  // a division with the topology to be used; nullptr: none
   bool operator==(const DivisionInput&) const;
 };
 
-/// A divided gear and its initial shapes. A gear that is divided like another one also starts from its
-/// shapes.
+/// A divided gear and its initial shapes. If the gear is divided like another gear, it uses the initial
+/// shapes of that gear.
 class Division {
  public:
   explicit Division(DivisionInput input);
@@ -45,8 +45,8 @@ class Division {
 };
 
 /// Divides gears. Stores the last few divisions and reuses them for plans with the same geometry. Throws
-/// CannotDivide also about half a gear whose other half could not be sewn to it. For `like` see
-/// divide_alike() in gear_mesh.hpp; it has the same extent.
+/// CannotDivide, even for half a gear if its mirror image could not be sewn to it. `like` has the same
+/// extent; see divide_alike() in gear_mesh.hpp.
 class Divisions {
  public:
   std::shared_ptr<Division> of(const NetPlan& plan, Extent extent, const Fineness& fineness,

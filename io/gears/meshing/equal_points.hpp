@@ -5,7 +5,8 @@
 
 namespace netloft::gears {
 
-/// Sets of points that have been found identical, pair by pair (disjoint sets, Tarjan 1975).
+/// Sets of identical points, from pairs of points that have been found identical (disjoint sets, Tarjan
+/// 1975).
 class EqualPoints {
  public:
   std::size_t add() {

@@ -8,7 +8,7 @@ namespace netloft::gears {
 
 /// A number as the exact sum of at most N doubles, which are ordered by magnitude and do not overlap
 /// (Shewchuk, Discrete Comput. Geom. 18 (1997) 305). Sums, differences and products of such numbers are exact
-/// as long as no double over- or underflows; doubles that are zero are left out, so that short numbers stay
+/// as long as no double over- or underflows; zeros are left out, so that operations on short numbers stay
 /// fast.
 template <std::size_t N>
 class ExactSum {

@@ -23,7 +23,7 @@ class Faces {
   }
 
   /// States that two pieces show the same face outwards, or opposite faces if `turned`. Returns false if this
-  /// contradicts what has been stated before.
+  /// contradicts an earlier statement.
   bool state(std::size_t a, std::size_t b, bool turned) {
     const auto one = root(a), other = root(b);
     if (one.first == other.first) return (one.second != other.second) == turned;

@@ -24,12 +24,13 @@ namespace {
 
 constexpr double kNear = 0.05;   // accepted relative deviation from the requested number of nodes
 constexpr int kTrials = 8;       // number of sizes that are tried to reach the requested number
-constexpr double kGrid = 1e-10;  // relative rounding of positions, by which port mirrors starboard exactly
+constexpr double kGrid = 1e-10;  // grid to which positions are rounded, so that port is the exact mirror
+                                 // image of starboard
 
-// Places on a middle line that are nearer than this count as one [meshes].
+// Two places on a middle line that are closer than this count as one [meshes].
 constexpr double kSamePlace = 1e-6;
 
-constexpr int kPartings = 20;  // most rounds in which coincident sides are separated
+constexpr int kPartings = 20;  // largest number of rounds in which coincident sides are separated
 
 /// The border of a cloth, a piece of netting: its nodes and their positions in the undeformed panel.
 struct Border {
@@ -141,8 +142,8 @@ class Divider {
   }
 
   /// Finds for each cloth whether its counter-clockwise triangles are also counter-clockwise seen from
-  /// outside the net. The first panel is assumed to be the upper one; on its starboard side, seen from above,
-  /// the turn from outwards to aft is clockwise.
+  /// outside the net. The first panel is assumed to be the upper one. On its starboard side, seen from above,
+  /// the rotation from outwards to aft is clockwise.
   void find_senses() {
     std::map<std::size_t, int> senses;  // by the representative of connected pieces (faces.hpp)
     for (std::size_t c = 0; c < cloths_.cloths.size(); ++c) {
@@ -188,7 +189,7 @@ class Divider {
     }
   }
 
-  /// Fills the cloths with the triangles of another gear, moved with the borders.
+  /// Fills the cloths with the triangles of another gear, which are moved with the borders.
   void move_cloths(const MeshTopology& like) {
     for (std::size_t c = 0; c < cloths_.cloths.size(); ++c) {
       const Panel& panel = *gear_.panels[cloths_.cloths[c].panel].panel;
@@ -223,7 +224,7 @@ class Divider {
 
   using PlaneSide = std::array<std::uint32_t, 2>;
 
-  /// The triangle sides that have an end on the border but do not lie along the border; each is listed once.
+  /// Triangle sides that end on the border but do not lie along it. Each side is listed once.
   std::vector<PlaneSide> inner_sides(std::size_t c) const {
     const auto n = static_cast<std::uint32_t>(borders_[c].nodes.size());
     std::set<PlaneSide> sides;
@@ -236,8 +237,8 @@ class Divider {
     return {sides.begin(), sides.end()};
   }
 
-  /// Identifies a node of the gear before nodes within cloths have numbers: {0, node} on a line, {cloth + 1,
-  /// index} within a cloth.
+  /// Identifies a node before the nodes within cloths are numbered: {0, node} for a node on a line, {cloth +
+  /// 1, index} for a node within a cloth.
   using Tag = std::array<std::size_t, 2>;
   Tag tag(std::size_t c, std::uint32_t point) const {
     const auto& nodes = borders_[c].nodes;
@@ -287,8 +288,8 @@ class Divider {
     add_sets(cloth, borders_[c], own);
   }
 
-  /// The border as positions in half-open netting [m]. The positions are rounded to a grid, because rounding
-  /// errors depend on the direction in which a line is divided.
+  /// The border as positions in half-open netting [m]. Positions are rounded to a grid, because rounding
+  /// errors would otherwise depend on the direction in which a line is divided.
   static std::vector<PlanePoint> on_plane(const Panel& panel, const Border& border) {
     std::vector<PlanePoint> points;
     double extent = 0;
@@ -371,7 +372,8 @@ class Divider {
     const auto k = static_cast<std::size_t>(std::find(cloth.sides.begin(), cloth.sides.end(), side) -
                                             cloth.sides.begin());
     const std::uint32_t node = own[border.side_starts[k]];
-    // In half a middle panel the corner "fore-outer" may be named "body.port-fore-outer".
+    // In half a middle panel, the corner "fore-outer" may have a name with a side, such as
+    // "body.port-fore-outer".
     for (const std::string& corner : {name, (cloth.is_port ? "port-" : "starboard-") + name})
       if (const auto known = lines_.points.find(gear_.panels[cloth.panel].name + "." + corner);
           known != lines_.points.end() && known->second == border.nodes[border.side_starts[k]])
@@ -433,7 +435,8 @@ class Divider {
   std::vector<Border> borders_;    // border of each cloth
   std::vector<PlaneMesh> planes_;  // triangles of each cloth
   // For each panel, the nodes on its middle: their numbers within the panel, by their number in the gear. One
-  // node of the gear may have several, because seams and ropes may join places of the middle.
+  // node of the gear may have several numbers in a panel, because seams and ropes may join places on the
+  // middle.
   std::map<std::size_t, std::map<std::uint32_t, std::vector<std::uint32_t>>> in_middle_;
   std::vector<int> senses_;  // orientation of each cloth
   GearMesh mesh_;

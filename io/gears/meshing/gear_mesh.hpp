@@ -59,8 +59,8 @@ struct MeshTopology {
   std::vector<std::size_t> borders;  // for each cloth, the number of points of its border
 };
 
-/// A gear divided into elements: everything that meets at a point of a seam or a hanging shares one node
-/// there. The mesh has no positions yet (start_shape.hpp). Panels and ropes have the order of the gear.
+/// A gear divided into elements: all panels and ropes that meet at a point of a seam or a hanging share one
+/// node there. The mesh has no positions yet (start_shape.hpp). Panels and ropes have the order of the gear.
 struct GearMesh {
   std::size_t nodes = 0;
   std::vector<PanelMesh> panels;
@@ -76,9 +76,9 @@ struct GearMesh {
 ///
 /// If every knot is a node, the triangles in half-open netting (bars at 30 degrees to the aft direction) are
 /// equilateral. Two sides of each triangle are bars, one of each twine direction, and every bar is a side of
-/// two triangles. Priour's triangle has the energy of half a bar of each direction, so the triangles together
-/// have exactly the energy of the bars. Triangles have other shapes only along borders, which are straight
-/// instead of stepped.
+/// two triangles. Priour's triangle has the energy of half a bar of each direction, so that the triangles
+/// together have exactly the energy of the bars. Only triangles along borders have other shapes, because
+/// borders are straight instead of stepped.
 ///
 /// Throws std::invalid_argument, with a sentence for the user, for a panel whose border crosses itself, and
 /// for a size that would give millions of nodes.
@@ -87,8 +87,8 @@ GearMesh divide(const Gear& gear, const Fineness& fineness);
 /// Divides a gear in the same way as another one, whose mesh has the topology `like`. Lines are divided at
 /// the same fractions, and inner nodes of panels move with the border of their panel (moved_with_border() in
 /// triangulation.hpp), so that the mesh is a smooth function of the lengths and counts of the gear. Throws
-/// std::invalid_argument, with a sentence for the user, if the corners along a seam would follow each other
-/// in another order, or a triangle would be turned over.
+/// std::invalid_argument, with a sentence for the user, if the order of corners along a seam would change, or
+/// a triangle would turn over.
 GearMesh divide_alike(const Gear& gear, const Fineness& fineness, const MeshTopology& like);
 
 }  // namespace netloft::gears

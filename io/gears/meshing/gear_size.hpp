@@ -13,10 +13,10 @@ double finer(const Fineness& fineness, const GearPanel& panel);
 /// equilateral triangles; L [m] is the length of the ropes; 1.2 is an empirical factor for nodes that the
 /// mesher adds:
 ///   N = 1.2 · 2 A/(√3 h²) + L/h                                                                        (1)
-/// (1) gives a first guess, because lines that are divided more finely than h add nodes.
+/// (1) is only a first guess, because lines that are divided more finely than h have more nodes.
 double size_for(const Gear& gear, const Fineness& fineness);
 
-/// The shortest bar of all panels [m]: the size of other elements if every knot is a node.
+/// The shortest bar of all panels [m]. If every knot is a node, it is the size of all other elements.
 double shortest_bar(const Gear& gear);
 
 /// Throw std::invalid_argument, with a sentence for the user, for a mesh of more than kMostNodes nodes.

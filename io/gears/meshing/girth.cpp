@@ -33,8 +33,8 @@ bool are_mirror_images(const Gear& gear, const EdgeRef& one, const EdgeRef& othe
   return a.panel == b.panel && a.is_mirrored != b.is_mirrored && kind_of(gear, one) == kind_of(gear, other);
 }
 
-/// Whether the outward direction of panel `one` is, across the seam, the inward direction of panel `other`.
-/// In a panel and its mirror image, outwards means away from the middle.
+/// Whether outwards in panel `one` continues across the seam as inwards in panel `other`. In a panel and in
+/// its mirror image, outwards means away from the middle.
 bool turns(const Gear& gear, const Seam& seam, const EdgeRef& one, const EdgeRef& other) {
   if (are_mirror_images(gear, one, other)) return false;
   const auto comes_back = [&](const EdgeRef& ref) {
@@ -44,8 +44,8 @@ bool turns(const Gear& gear, const Seam& seam, const EdgeRef& one, const EdgeRef
   return (a == b && is_lateral(a)) != (comes_back(one) != comes_back(other));
 }
 
-/// Number of meshes outwards: from the middle if the panel lies across it, else from the start of the inner
-/// side.
+/// Number of meshes outwards, counted from the middle in a middle panel, otherwise from the start of the
+/// inner side.
 double outwards(const GearPanel& panel, double U) {
   return panel.panel->stands == Standing::middle ? std::abs(U) : U;
 }
@@ -70,8 +70,8 @@ Girth::Girth(const Gear& gear, const GearMesh& mesh)
   measure_bottom(gear, mesh);
 }
 
-/// Finds for each panel whether the distance from the top along the girth increases outwards (+1) or
-/// decreases (-1). Follows the seams from the first panel, which is assumed to be on top.
+/// Finds for each panel whether the distance from the top, measured along the girth, increases outwards (+1)
+/// or decreases outwards (-1). Follows the seams from the first panel, which is assumed to be on top.
 void Girth::find_senses(const Gear& gear) {
   std::vector<std::vector<const Seam*>> seams(gear.panels.size());  // seams of each panel
   for (const auto& seam : gear.seams)
@@ -135,7 +135,7 @@ void Girth::solve_fields(const Gear& gear, const GearMesh& mesh) {
         const auto from = panel.nodes[i], to = panel.nodes[j];
         aft.push_back({from, to, deep * (panel.meshes[j][1] - panel.meshes[i][1]), 1});  // (1)
         if (sense_[p] < 0 && (closed_[from] || closed_[to]))
-          continue;  // the panel that is sewn to this one gives their position
+          continue;  // their position follows from the panel sewn to this one
         around.push_back({from, to,
                           sense_[p] * wide *
                               (outwards(gear.panels[p], panel.meshes[j][0]) -
@@ -179,16 +179,16 @@ void Girth::find_folds(const Gear& gear) {
         folds_[p].push_back({p, e});
 }
 
-/// Whether a fold (a side edge sewn to its mirror image) lies below. It does if it is the end of its panel
-/// that is farther from the top: the outer side if the distance from the top increases outwards, otherwise
-/// the inner side.
+/// Whether a fold (a side edge sewn to its mirror image) is at the bottom of the net. It is if, of both sides
+/// of its panel, it is the one farther from the top: the outer side if the distance from the top increases
+/// outwards, otherwise the inner side.
 bool Girth::is_below(const Gear& gear, const EdgeRef& fold) const {
   return (kind_of(gear, fold) == EdgeKind::outer) == (sense_[fold.panel] > 0);
 }
 
 /// Fills `bottom_` with pairs of a distance aft and the half girth S there. S is known at nodes of a lower
-/// middle panel and at nodes on folds below. A net without such nodes is open below: everywhere, S is then
-/// twice the largest distance from the top.
+/// middle panel, and at nodes on folds at the bottom. If there are no such nodes, the net is open at the
+/// bottom; S is then twice the largest distance from the top, at all distances aft.
 void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
   double most = 0;
   own_.assign(mesh.nodes, 0);
@@ -209,7 +209,7 @@ void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
   std::sort(bottom_.begin(), bottom_.end());
 }
 
-/// Adds the half girth S at nodes on a fold in the middle below.
+/// Adds the half girth S at nodes on a fold at the bottom.
 void Girth::measure_below(const Gear& gear, const GearMesh& mesh, const EdgeRef& fold) {
   const PanelMesh& panel = mesh.panels[fold.panel];
   for (const auto own : panel.sets.at(gear.panels[fold.panel].outline.edges[fold.edge].name)) {

@@ -22,7 +22,7 @@ class Girth {
   /// Whether the node belongs to an end of the bag that is sewn to itself.
   bool is_closed(std::uint32_t node) const { return closed_[node]; }
   /// Half the girth at a node [m]: the distance along the girth through this node, from the top to the middle
-  /// of the lower panel. If it is not known there, it is interpolated between other distances aft.
+  /// of the lower panel. If it is unknown at this distance aft, it is interpolated between other distances.
   double half_girth(std::uint32_t node) const;
 
  private:
@@ -35,8 +35,9 @@ class Girth {
   void measure_bottom(const Gear& gear, const GearMesh& mesh);
   void measure_below(const Gear& gear, const GearMesh& mesh, const EdgeRef& fold);
 
-  std::vector<int> sense_;  // per panel: 1 if the distance from the top increases outwards, else -1
-  // Side edges that are sewn to their mirror image, by panel: the girth begins or ends there, in the middle
+  std::vector<int> sense_;  // for each panel: 1 if the distance from the top increases outwards, otherwise -1
+  // For each panel, the side edges that are sewn to their mirror image. The girth begins or ends there, in
+  // the middle.
   std::vector<std::vector<EdgeRef>> folds_;
   std::vector<double> aft_, around_;
   std::vector<double> own_;  // half girth through each node [m]; 0: not known

@@ -51,7 +51,8 @@ void Delaunay::restore() {
   restore(std::move(sides));
 }
 
-/// Flips sides until each that is not held has the Delaunay property (Lawson, 1977), from the given ones on.
+/// Flips sides, beginning with the given ones, until every side that is not held has the Delaunay property
+/// (Lawson, 1977).
 void Delaunay::restore(std::vector<Side> sides) {
   while (!sides.empty()) {
     const Side s = sides.back();
@@ -96,8 +97,8 @@ std::pair<std::uint32_t, std::vector<Delaunay::Ends>> Delaunay::crossed_sides(st
   }
 }
 
-/// The side opposite to a, of a triangle at a, through which the line to b leaves it; or, if the line runs
-/// along a side at a, this side, from a on.
+/// The first side that the line from a to b crosses: the side opposite to a in a triangle at a. If the line
+/// runs along a side that begins at a, that side.
 Delaunay::Side Delaunay::first_crossed(std::uint32_t a, std::uint32_t b) const {
   std::uint32_t t = one_at_[a];
   do {
@@ -118,7 +119,7 @@ bool Delaunay::is_between(std::uint32_t point, std::uint32_t a, std::uint32_t b)
   return turn(from, to, p) == 0 && (from < p) == (p < to);
 }
 
-/// Whether the line from a to b crosses a side between their ends.
+/// Whether the line from a to b crosses a side, not counting the ends of either.
 bool Delaunay::crosses(const Ends& side, std::uint32_t a, std::uint32_t b) const {
   const auto [from, to] = side;
   if (from == a || from == b || to == a || to == b) return false;
@@ -126,7 +127,7 @@ bool Delaunay::crosses(const Ends& side, std::uint32_t a, std::uint32_t b) const
 }
 
 /// Flips the sides that cross the line from a to b until none does (Sloan, Comput. Struct. 47 (1993) 441).
-/// Returns the sides that came instead, without the line itself.
+/// Returns the new sides, without the line itself.
 std::vector<Delaunay::Ends> Delaunay::flip_away(const std::vector<Ends>& crossed, std::uint32_t a,
                                                 std::uint32_t b) {
   std::deque<Ends> open(crossed.begin(), crossed.end());
@@ -150,7 +151,7 @@ std::vector<Delaunay::Ends> Delaunay::flip_away(const std::vector<Ends>& crossed
   return fresh;
 }
 
-/// The side from a to b, which exists.
+/// The side from a to b, which must exist.
 Delaunay::Side Delaunay::side_between(std::uint32_t a, std::uint32_t b) const {
   std::uint32_t t = one_at_[a];
   while (true) {

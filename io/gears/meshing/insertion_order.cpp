@@ -9,10 +9,10 @@ namespace netloft::gears {
 
 namespace {
 
-constexpr std::uint32_t kCells = 1u << 15;  // along each axis; more than a gear has knots
+constexpr std::uint32_t kCells = 1u << 15;  // number along each axis; finer than the knots of any gear
 
-/// The number of a cell along Hilbert's curve, quadrant by quadrant; the curve within two of them is
-/// mirrored.
+/// The number of a cell along Hilbert's curve, which is computed quadrant by quadrant. In two of the four
+/// quadrants, the curve is mirrored.
 std::uint32_t place_on_curve(std::uint32_t x, std::uint32_t y) {
   std::uint32_t place = 0;
   for (std::uint32_t half = kCells / 2; half > 0; half /= 2) {

@@ -7,8 +7,8 @@
 
 namespace netloft::gears {
 
-/// The numbers of points, which do not all coincide, in their order along Hilbert's curve: successive points
-/// are neighbours.
+/// The numbers of points in their order along Hilbert's curve, in which successive points are close together.
+/// The points must not all coincide.
 std::vector<std::uint32_t> hilbert_order(const std::vector<PlanePoint>& points);
 
 }  // namespace netloft::gears

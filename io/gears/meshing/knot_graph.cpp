@@ -29,7 +29,7 @@ namespace {
 using Index = Eigen::Index;
 
 /// The matrix of the least-squares problem for a field with desired differences (gains) between nodes.
-/// Weights pull the field towards given values at `fixed` nodes and, weakly, towards zero.
+/// Additional terms pull the field towards given values at the nodes `fixed` and, weakly, towards zero.
 Eigen::SparseMatrix<double> matrix_of(std::size_t nodes, const std::vector<Gain>& gains,
                                       const std::vector<std::uint32_t>& fixed) {
   const auto n = static_cast<Index>(nodes);
@@ -52,8 +52,8 @@ std::vector<std::uint32_t> nodes_of(const std::vector<std::pair<std::uint32_t, d
   return nodes;
 }
 
-/// Gains of zero, which make a field smooth, along every side of a triangle and every bar of a rope. A side
-/// of two triangles counts twice.
+/// Gains of zero along every side of a triangle and every bar of a rope, which make a field smooth. A side of
+/// two triangles counts twice.
 std::vector<Gain> level_sides(const GearMesh& mesh) {
   std::vector<Gain> sides;
   for (const auto& panel : mesh.panels)

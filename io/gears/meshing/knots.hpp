@@ -11,7 +11,7 @@ namespace netloft::gears {
 /// sign of x in the outline, -1 for the port half of a middle panel.
 std::vector<PlanePoint> knots_within(const Panel& panel, double sign, const std::vector<PlanePoint>& border);
 
-/// The number of bars along a straight line between two points of a panel: the larger of its numbers along
+/// The number of bars along a straight line between two points of a panel: the larger of the numbers along
 /// the two twine directions.
 double knots_along(const Panel& panel, double sign, const PanelPoint& from, const PanelPoint& to);
 

@@ -61,7 +61,8 @@ int in_lifted_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint&
   std::ranges::sort(greatest_first, [](const PlanePoint* p, const PlanePoint* q) { return *p > *q; });
   for (const PlanePoint* p : greatest_first) {
     if (p == &d) return -1;  // lifted off the plane through a, b, c
-    // Lifting a corner lifts the plane over d, if both are on the same side of the other two.
+    // If a corner and d are on the same side of the line through the other two corners, lifting the corner
+    // lifts the plane at d.
     const int side = p == &a ? turn(d, b, c) : p == &b ? turn(a, d, c) : turn(a, b, d);
     if (side != 0) return side;
   }

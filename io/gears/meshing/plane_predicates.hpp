@@ -7,8 +7,8 @@ namespace netloft::gears {
 using PlanePoint = std::array<double, 2>;
 
 // The signs of two determinants, without rounding errors: they are exact if the coordinates are below 2^250
-// and multiples of 2^-268. Most are decided in doubles, by Shewchuk's bounds of their error (Discrete Comput.
-// Geom. 18 (1997) 305).
+// and multiples of 2^-268. Most signs are decided in double precision, by Shewchuk's error bounds (Discrete
+// Comput. Geom. 18 (1997) 305).
 
 /// 1 if a, b, c turn to the left, -1 if they turn to the right, 0 if they lie on one line.
 int turn(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);
@@ -17,9 +17,10 @@ int turn(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);
 /// on it.
 int in_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d);
 
-/// The same for four different points, but never 0 for three points that turn to the left: points are lifted
-/// from the paraboloid by infinitesimals, those that are greater (by x, then by y) infinitely more (Devillers
-/// and Teillaud, Comput. Geom. 44 (2011) 160). The Delaunay triangulation of different points is thus unique.
+/// Like in_circle() for four different points, but never 0 if three points turn to the left: points are
+/// lifted from the paraboloid by infinitesimal amounts, and a point that is greater (by x, then by y) by an
+/// infinitely larger amount (Devillers and Teillaud, Comput. Geom. 44 (2011) 160). The Delaunay triangulation
+/// of different points is thus unique.
 int in_lifted_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d);
 
 }  // namespace netloft::gears

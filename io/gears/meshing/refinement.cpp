@@ -17,11 +17,11 @@ PlanePoint minus(const PlanePoint& a, const PlanePoint& b) { return {a[0] - b[0]
 double dot(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[0] + a[1] * b[1]; }
 double cross(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-/// A triangle to be refined; the worst is the greatest.
+/// A triangle to be refined. In the order of these triangles, the worst is the greatest.
 struct BadTriangle {
-  double excess;      // square of the longest side over that allowed, or 0 if it is short enough
+  double excess;      // square of the longest side over the allowed one; 0 if the side is short enough
   double sharpness;   // minus sin² of the least angle
-  std::uint64_t age;  // falls from one triangle to the next
+  std::uint64_t age;  // decreases from each new triangle to the next
   std::uint32_t triangle;
   std::array<std::uint32_t, 3> corners;
   int blunt;  // the corner with the largest angle

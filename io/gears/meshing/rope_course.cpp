@@ -9,8 +9,10 @@ namespace netloft::gears {
 
 namespace {
 
-constexpr double kRounding = 0.02;  // a rope that exceeds its edges by a smaller fraction has no free part
-constexpr double kLikely = 0.1;     // score of an edge in its usual direction; ends that meet score 1
+constexpr double kRounding = 0.02;  // a rope whose excess over its edges is a smaller fraction has no free
+                                    // part
+constexpr double kLikely = 0.1;     // score of an edge that runs in its usual direction; two ends that meet
+                                    // have the score 1
 
 bool crosses(const Gear& gear, const GearRope& rope) {
   return gear.extent == Extent::whole && rope.rope->stands == Standing::middle;
@@ -103,8 +105,8 @@ class Rigger {
   std::size_t start(const Row& row) const { return borders_.start(row.front()); }
   std::size_t end(const Row& row) const { return borders_.end(row.back()); }
 
-  /// Chooses the directions of the edges so that as many ends as possible meet (dynamic programming over both
-  /// directions of each edge).
+  /// Chooses the directions of the edges so that as many ends as possible meet, by dynamic programming over
+  /// both directions of each edge.
   void direct(const GearRope& rope, std::vector<HungRow>& rows) {
     if (rows.empty()) return;
     std::vector<std::array<double, 2>> best(rows.size());
@@ -219,7 +221,7 @@ class Rigger {
     return leads_to ? std::vector<Gap>{first} : std::vector<Gap>{last};
   }
 
-  /// Connects consecutive stretches, and the first and last stretch with the ends of the rope.
+  /// Connects consecutive stretches, and the first and the last stretch with the ends of the rope.
   void close(const GearRope& rope, RopeCourse& course) {
     const std::size_t start = point(rope.name + ".start"), end = point(rope.name + ".end");
     if (course.empty()) course.push_back({{}, true, start, end, rope.length});
@@ -228,7 +230,8 @@ class Rigger {
     for (std::size_t k = 1; k < course.size(); ++k) borders_.points.unite(course[k - 1].to, course[k].from);
   }
 
-  /// Puts the middle of a whole rope at half its length if it is free there, or else at an end of an edge.
+  /// Puts the middle of a whole rope at half its length if the rope is free there, otherwise at an end of an
+  /// edge.
   void put_middle(const GearRope& rope, RopeCourse& course) {
     if (!crosses(gear_, rope)) return;
     const std::size_t middle = point(rope.name + ".middle");

@@ -20,7 +20,7 @@ namespace {
 
 // Corners on opposite sides of a seam are merged if they are closer than this fraction of an element.
 constexpr double kSnap = 0.3;
-constexpr double kGrowth = 0.4;  // growth of the element size per length along a line
+constexpr double kGrowth = 0.4;  // increase of the element size per length along a line
 
 double finer(const Fineness& fineness, const std::string& name, const std::string& plan_name) {
   auto at = fineness.finer.find(name);
@@ -138,7 +138,8 @@ class LineMaker {
     }
   }
 
-  /// Neighbours show the same face outwards if their borders run along their seam in opposite directions.
+  /// Two cloths show the same face outwards if their borders run along their common seam in opposite
+  /// directions.
   void state_faces(const SewnRows& seam, const DirectedSide& a, const DirectedSide& b) {
     const std::size_t one = cloths_.sides[a.side].cloth, other = cloths_.sides[b.side].cloth;
     if (!all_.faces.state(one, other, a.is_forward == b.is_forward)) refuse_twist(seam, one, other);
@@ -215,8 +216,8 @@ class LineMaker {
     all_.rope_middles.push_back(middle == all_.points.end() ? kNoPoint : middle->second);
   }
 
-  /// The coarsest size of the bars of a rope [m]; 0 for ropes other than warps. A warp changes its direction
-  /// by some tenths of a radian along its length; 32 bars give its tension to a thousandth, whatever the size
+  /// The largest length of bars of a warp [m]; 0 for other ropes. A warp changes its direction by some tenths
+  /// of a radian along its length. With 32 bars, its tension is accurate to a thousandth, whatever the size
   /// of elements in the netting.
   static double coarsest(const GearRope& rope) {
     constexpr double kBarsOfWarps = 32;
@@ -291,7 +292,7 @@ class LineMaker {
     spread_nodes(line, sum, count(line, sum.back()));
   }
 
-  /// Divides a line evenly, with one element from knot to knot.
+  /// Divides a line evenly into elements from knot to knot.
   void divide_evenly(Line& line) {
     const std::size_t elements = count(line, line.knots);
     line.fractions.clear();
@@ -310,7 +311,8 @@ class LineMaker {
     }
   }
 
-  /// Adds a middle node to lines that would coincide because they have the same two ends and no inner node.
+  /// Adds a node in the middle of lines that would otherwise coincide, because they have the same two ends
+  /// and no inner node.
   void part_parallel_lines() {
     std::map<std::array<std::size_t, 2>, std::size_t> seen;
     for (auto& line : all_.lines) {

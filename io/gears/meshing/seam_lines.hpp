@@ -11,12 +11,12 @@
 
 namespace netloft::gears {
 
-/// A line of knots between two points. It is divided once for everything that is sewn to it or hung on it.
+/// A line of knots between two points. It is divided only once, for all cloths and ropes along it.
 struct Line {
   std::array<std::size_t, 2> ends{};  // indices of the end points of the line
   double length = 0;                  // length in half-open netting, or length of rope [m]
   double size = 0;                    // requested size of its elements [m]
-  double knots = 0;                   // number of bars on the side with more, if every knot is a node; else 0
+  double knots = 0;  // number of bars on the side with more bars, if every knot is a node; otherwise 0
   bool is_netting = false;
   std::vector<double> fractions;  // fractions of its length at its inner nodes, increasing in (0, 1)
 };

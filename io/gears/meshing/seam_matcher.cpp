@@ -19,7 +19,8 @@ struct Knot {
   std::size_t point = 0;
 };
 
-// Sides are neighbours along a seam only if at least this fraction of the shorter one lies beside the other.
+// Two sides are neighbours along a seam only if at least this fraction of the shorter side lies beside the
+// other side.
 constexpr double kBeside = 0.1;
 
 /// The way in which the rows of a seam run.
@@ -77,7 +78,8 @@ class Sewer {
     }
   }
 
-  /// Adds all seams. Those that can run in only one way come first: they fix the faces for the others.
+  /// Adds all seams. Seams that can run in only one way come first, because they determine the faces for the
+  /// others.
   void add_seams() {
     Faces faces(cloths_.cloths.size());
     for (const auto& halves : borders_.seams) state_faces(halves.rows, faces);
@@ -111,8 +113,8 @@ class Sewer {
     return has[0] && has[1];
   }
 
-  /// Calls `visit` with every two cloths of a seam whose sides lie beside each other, and whether they then
-  /// show opposite faces outwards.
+  /// Calls `visit` for every two cloths of a seam whose sides lie beside each other, with whether they show
+  /// opposite faces outwards.
   template <class Visit>
   void visit_neighbours(const std::array<Row, 2>& rows, const Visit& visit) const {
     if (rows[0].empty() || rows[1].empty()) return;
@@ -138,8 +140,8 @@ class Sewer {
     return all;
   }
 
-  /// Divides edges that are sewn to their mirror image into a starboard row and a port row, which then run in
-  /// the same way.
+  /// Divides edges that are sewn to their mirror image into a starboard row and a port row. Both rows then
+  /// run in the same way.
   void fold(std::array<Row, 2>& rows) const {
     std::erase_if(rows[0], [&](const auto& s) { return is_port(s); });
     std::erase_if(rows[1], [&](const auto& s) { return !is_port(s); });
@@ -194,8 +196,8 @@ class Sewer {
     });
   }
 
-  /// In a row round the net, reverses the edges of every side panel whose outer side is sewn to the panel
-  /// before it, so that they run inwards. Begins at the first panel across the middle, in both directions.
+  /// In a row round the net, reverses the edges of every side panel whose outer side is sewn to the previous
+  /// panel, so that these edges run inwards. Begins at the first panel across the middle, in both directions.
   void turn_side_panels(Row& row) const {
     const auto first = std::find_if(row.begin(), row.end(),
                                     [&](const auto& s) { return panel_of(s).stands == Standing::middle; });
@@ -230,7 +232,7 @@ class Sewer {
     std::rotate(row.begin(), last, starboard);
   }
 
-  /// Orders consecutive edges of one panel in a row by their position on the panel.
+  /// Sorts consecutive edges of one panel in a row by their position on the panel.
   void order_panel_by_panel(Row& row, Way way) const {
     const auto panel = [&](const DirectedSide& s) { return cloths_.cloths[side(s).cloth].panel; };
     for (auto first = row.begin(); first != row.end();) {
@@ -242,8 +244,8 @@ class Sewer {
     }
   }
 
-  /// The sorting key of a side in a row: if the row runs to starboard, port sides come first; then the
-  /// position.
+  /// The sorting key of a side in a row: first the side of the gear, if the row runs to starboard (port comes
+  /// first), then the position.
   std::pair<bool, double> position(const DirectedSide& s, Way way) const {
     const ClothSide& c = side(s);
     const double along = c.is_across() ? c.from.x + c.to.x : (way.sides_aft ? 1 : -1) * (c.from.y + c.to.y);
@@ -251,7 +253,7 @@ class Sewer {
     return {!is_turned, is_turned ? -along : along};
   }
 
-  /// Adds points to both rows of a seam, so that each row has a point wherever either row has a corner.
+  /// Adds points to both rows of a seam, so that both rows have a point at every corner of either row.
   void match(const SewnRows& seam) {
     const auto& rows = seam.rows;
     const bool counted = is_counted(rows);

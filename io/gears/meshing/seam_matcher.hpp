@@ -23,7 +23,7 @@ using Row = std::vector<DirectedSide>;
 /// Two rows of sides that are sewn together.
 struct SewnRows {
   std::array<Row, 2> rows;
-  std::optional<std::size_t> join;  // index in NetPlan::joins; none for the halves of a middle panel
+  std::optional<std::size_t> join;  // index in NetPlan::joins; nullopt for the two halves of a middle panel
 };
 
 /// The borders of cloths with their corners, sewn together.
@@ -43,14 +43,15 @@ struct Borders {
 /// Finds the common points of all seams; corners closer than `snap` [m] along a seam are merged.
 ///
 /// Rows, the two sides of a seam, run outwards along fore and aft edges, and aft along sides. If sides are
-/// sewn to a fore or aft edge and the net would be twisted (faces.hpp), they run forward instead. A row from
-/// port to starboard runs the other way on its port half, which mirrors the starboard half.
+/// sewn to a fore or aft edge and the net would be twisted (faces.hpp), they run forward instead. The port
+/// half of a row from port to starboard runs in the opposite direction, because it mirrors the starboard
+/// half.
 Borders sew(const Gear& gear, const Cloths& cloths, double snap);
 
 /// The name of the first edge of a row.
 std::string name_of(const Gear& gear, const Cloths& cloths, const Row& row);
 
-/// Throws CannotDivide about a seam that joins points of one of its edges to each other, so that its rows
+/// Throws CannotDivide about a seam that joins points of one of its edges to each other, so that the two rows
 /// cannot lie side by side.
 [[noreturn]] void refuse_seam(const Gear& gear, const Cloths& cloths, const SewnRows& seam);
 

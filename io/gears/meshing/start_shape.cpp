@@ -29,7 +29,7 @@ double half_width(double half_girth) {
   return 2 * half_girth / (std::numbers::pi * shape);
 }
 
-/// For each node, the indices of the ropes that have it.
+/// For each node, the indices of the ropes to which it belongs.
 std::vector<std::vector<std::size_t>> ropes_at_nodes(const GearMesh& mesh) {
   std::vector<std::vector<std::size_t>> ropes(mesh.nodes);
   for (std::size_t r = 0; r < mesh.ropes.size(); ++r)
@@ -45,8 +45,8 @@ void collect_sketch(const GearPanel& panel, const PanelMesh& mesh, std::vector<K
   }
 }
 
-/// All known coordinates, each once, sorted by node and axis. If several are given for one node and axis, the
-/// priority is: those of the caller, points of the plan, the plane of symmetry, sketches.
+/// All known coordinates, each once, sorted by node and axis. If there are several for one node and axis, the
+/// order of priority is: coordinates from the caller, points of the plan, the plane of symmetry, sketches.
 std::vector<KnownCoordinate> collect_known(const Gear& gear, const GearMesh& mesh,
                                            std::vector<KnownCoordinate> known) {
   for (const auto& point : gear.points)
@@ -149,9 +149,9 @@ class Shaper {
  private:
   double& x(std::uint32_t node, int axis) { return positions_[at(node, axis)]; }
 
-  /// Shifts the whole netting aft and vertically, to the known coordinates of its nodes. If its nodes have
-  /// none, the shift makes ropes from known points reach the netting, and its lowest point as deep as the
-  /// lowest known point.
+  /// Shifts the whole netting aft and vertically to the known coordinates of its nodes. If there are none,
+  /// shifts it such that ropes from known points reach the netting, and that the lowest point of the netting
+  /// is as deep as the lowest known point.
   void stand_as_a_whole() {
     const double aft = shift_along(0, true);
     for (std::uint32_t node = 0; node < mesh_.nodes; ++node)
@@ -177,7 +177,7 @@ class Shaper {
     return known == known_at_.end() ? std::nullopt : std::optional(known->second);
   }
 
-  /// The shift aft [m] at which the ropes from known points to the netting are straight on average.
+  /// The shift aft [m] with which the ropes from known points to the netting are straight, on average.
   double shift_by_leads() {
     double sum = 0, count = 0;
     for (const Lead& lead : *leads_) {
@@ -207,7 +207,8 @@ class Shaper {
     return nodes;
   }
 
-  /// Places ropes beside the netting: straight between two placed nodes, or straight forward from one.
+  /// Places ropes that are not on the netting: straight between two placed nodes, or straight forward from
+  /// one placed node.
   void put_ropes() {
     for (const auto& k : known_) complete(k.node);
     put_on_leads();
@@ -217,7 +218,8 @@ class Shaper {
   /// Places stretches of ropes one by one: the first one between two placed nodes or, if there is none, the
   /// first one with one placed node. A rope is tried again only after one of its nodes has been placed.
   void put_stretches() {
-    std::set<std::size_t> between, from_one;  // ropes that may have such a stretch
+    std::set<std::size_t> between, from_one;  // ropes that may have a stretch between two placed nodes, or
+                                              // from one
     for (std::size_t r = 0; r < mesh_.ropes.size(); ++r) {
       between.insert(r);
       from_one.insert(r);

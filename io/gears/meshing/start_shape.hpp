@@ -28,9 +28,10 @@ struct Lead {
       between;  // nodes from `to` back, with their distances from `from` [m]
 };
 
-/// Data of ropes that are the same in all shapes, and the last few sets of paths, by their first nodes.
+/// Data of ropes that do not depend on the shape, and the last few sets of paths, by their first nodes.
 struct StoredRopes {
-  std::vector<std::vector<std::size_t>> at_nodes;  // for each node, the indices of the ropes that have it
+  std::vector<std::vector<std::size_t>> at_nodes;  // for each node, the indices of the ropes to which it
+                                                   // belongs
   Recent<std::vector<std::uint32_t>, const std::vector<Lead>> leads{4};
 };
 
@@ -38,13 +39,14 @@ struct StoredRopes {
 /// shape need not be accurate, but must be free of kinks and folds, on the correct side, and about as large
 /// as the gear.
 ///
-/// Two fields on the nodes of the netting are fitted by least squares over the sides of all triangles,
-/// because panels that are sewn together need not fit:
+/// Two fields on the nodes of the netting are fitted by least squares over the sides of all triangles. There
+/// need not be an exact solution, because panels that are sewn together may have different lengths:
 ///   a_j − a_i = cos β m (V_j − V_i)              metres aft                        (1)
 ///   s_j − s_i = ± sin β m (|U_j| − |U_i|)        metres of girth from the top      (2)
 /// m [m] mesh size, β half angle of the meshes of a trawl at work; U, V [meshes] across and deep. The seams
-/// determine the sign in (2): it changes at seams of outer to outer or inner to inner sides, as from top to
-/// bottom. S(a), half the girth, is s on the lower middle line, which may be a seam of port to starboard.
+/// determine the sign in (2): it changes at seams that join two outer or two inner sides, such as from top to
+/// bottom. S(a), half the girth, is s on the lower middle line, which may be a seam between port and
+/// starboard.
 ///   φ = π s/S,  y = ± w sin φ,  z = h cos φ,  h = k w                              (3)
 /// (3) puts the netting on rings of half width w and half height h, k = 0.4: half an ellipse with the arc
 /// length S on each side. At an end that is closed by a seam, z = 0.
@@ -60,8 +62,8 @@ class StartShapes {
   /// `gear` and its `mesh` must outlive this object.
   StartShapes(const Gear& gear, const GearMesh& mesh);
 
-  /// The initial shape for coordinates `known` to the caller, which have priority, and for the points and
-  /// sketches of `placed`. `placed` may differ from the divided gear only in these points and sketches.
+  /// The initial shape for the coordinates `known` from the caller, which have priority, and for the points
+  /// and sketches in `placed`. `placed` may differ from the divided gear only in these points and sketches.
   std::vector<double> with(const Gear& placed, const std::vector<KnownCoordinate>& known = {});
 
  private:

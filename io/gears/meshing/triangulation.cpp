@@ -118,7 +118,7 @@ class Filler {
   }
 
   /// If two sides of a triangle lie on the border, divides the corner between them, so that a neighbouring
-  /// triangle gets a part of it.
+  /// triangle gets a part of the corner.
   void open_corners() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
       for (int k = 0; k < 3; ++k) {
@@ -180,7 +180,8 @@ namespace {
 
 PlanePoint difference(const PlanePoint& a, const PlanePoint& b) { return {a[0] - b[0], a[1] - b[1]}; }
 
-/// (2) in triangulation.hpp, not yet divided by their sum, for a point inside the first points of a mesh.
+/// The weights (2) in triangulation.hpp for a point inside a border, not yet divided by their sum. The border
+/// consists of the first points of a mesh.
 std::vector<double> mean_value_weights(const PlaneMesh& mesh, std::size_t border, const PlanePoint& x) {
   std::vector<PlanePoint> rays(border);
   std::vector<double> lengths(border), halves(border), weights(border);

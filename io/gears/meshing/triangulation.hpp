@@ -25,8 +25,8 @@ PlaneMesh connect_points(const std::vector<PlanePoint>& border, const std::vecto
 
 enum class Smoothing { none, all };
 
-/// Adds a point in the middle of each of `sides`, which are given by their end points, and connects all
-/// points again. `smoothing`: whether inner points are then smoothed.
+/// Adds a point in the middle of each side in `sides`, which are pairs of end points, and connects all points
+/// again. `smoothing`: whether inner points are then smoothed.
 PlaneMesh split_sides(const PlaneMesh& mesh, std::size_t border, double size,
                       const std::vector<std::array<std::uint32_t, 2>>& sides,
                       Smoothing smoothing = Smoothing::all);
@@ -35,8 +35,8 @@ PlaneMesh split_sides(const PlaneMesh& mesh, std::size_t border, double size,
 ///   x' = x + Σ wᵢ(x) (b'ᵢ − bᵢ)                                                         (1)
 /// where w are the mean value coordinates of x (Hormann and Floater, ACM Trans. Graph. 25 (2006) 1424):
 ///   wᵢ ~ [tan(αᵢ₋₁/2) + tan(αᵢ/2)] / |bᵢ − x|,   Σ wᵢ = 1                                 (2)
-/// αᵢ is the signed angle at x from bᵢ to bᵢ₊₁. An affine motion of the border moves all points by it.
-/// Throws std::invalid_argument if a triangle is turned over.
+/// αᵢ is the signed angle at x from bᵢ to bᵢ₊₁. If the motion of the border is affine, all points move by the
+/// same affine motion. Throws std::invalid_argument if a triangle is turned over.
 PlaneMesh moved_with_border(const PlaneMesh& mesh, const std::vector<PlanePoint>& border);
 
 std::array<double, 3> angles_of(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);

@@ -11,16 +11,17 @@ namespace netloft::gears {
 /// Limits above which a difference is reported as a warning or as an error. Limits without a unit are
 /// relative to the value in the plan.
 struct CheckLimits {
-  double closing_meshes = 1;    // difference of cuttings and aft count [meshes] that the seams may hide
+  double closing_meshes = 1;    // difference between cuttings and aft count [meshes] that seams can hide
   double closing_error = 0.05;  // relative difference of cuttings and aft count, above which it is an error
-  double joining_meshes = 2;    // difference of edges sewn mesh to mesh [meshes]
-  double joining = 0.02;        // relative difference of such edges; a warning needs both differences
+  double joining_meshes = 2;    // difference between edges that are sewn mesh to mesh [meshes]
+  double joining = 0.02;        // relative difference between such edges; a warning requires both differences
   double joining_error = 0.10;  // relative difference above which the plan must state a take-up ratio
   double stretching = 0.02;     // relative excess of a rope over the straight twines that are hung on it
-  double bunching = 0.2;        // hanging ratio below which meshes are bunched
-  double loose_rope = 0.5;      // fraction of a rope below which the edges hung on it take too little
-  double crowded = 4;  // width of all floats over the length of their rope; more do not even fit in bunches
-  double short_rope = 0.02;  // relative length that a rope may be too short
+  double bunching = 0.2;        // hanging ratio below which meshes bunch up
+  double loose_rope = 0.5;  // fraction of a rope; if the edges hung on the rope take less, there is a warning
+  double crowded = 4;  // width of all floats relative to the length of their rope; more floats do not even
+                       // fit in bunches
+  double short_rope = 0.02;  // fraction of its length by which a rope may be too short
   double rounding = 1e-3;    // relative rounding of lengths in plans
 };
 
@@ -29,8 +30,9 @@ struct CheckLimits {
 /// cure. If a cutting is not a valid rate, the remaining checks use the rate that it probably means.
 void check_plan(NetPlan& plan, formats::Diagnostics& diagnostics, const CheckLimits& limits = {});
 
-/// The part of check_plan() that reads only lengths, mesh counts and connections of panels and ropes. Panels
-/// are changed only after an error: a cutting that is not a valid rate gets the rate that it probably means.
+/// The part of check_plan() that reads only lengths, mesh counts and connections of panels and ropes. It
+/// changes panels only after an error: a cutting that is not a valid rate gets the rate that it probably
+/// means.
 void check_net(NetPlan& plan, formats::Diagnostics& diagnostics, const CheckLimits& limits = {});
 
 /// Two points of the whole gear and the length of the shortest path along ropes between them [m].
@@ -46,8 +48,8 @@ struct RopeSpan {
 
 /// All pairs of points with ropes between them. The plan must be free of errors.
 std::vector<RopeSpan> rope_spans(const NetPlan& plan);
-/// The part of check_plan() that reads materials, floats and weights, and positions of points. `spans`: those
-/// of the plan, or none after an error.
+/// The part of check_plan() that reads materials, floats and weights, and positions of points. `spans` are
+/// the rope spans of the plan, or empty after an error.
 void check_fittings(const NetPlan& plan, const std::vector<RopeSpan>& spans,
                     formats::Diagnostics& diagnostics, const CheckLimits& limits = {});
 

@@ -35,8 +35,8 @@ Panel with_rate(Panel panel, bool is_outer, std::size_t which, const std::string
   return panel;
 }
 
-/// Returns, among the rates that differ from the written text in one letter, the one with which the aft edge
-/// agrees best with the count in the plan; an empty text if there is no such rate.
+/// Considers all rates that differ from the written text in one letter, and returns the one for which the aft
+/// edge agrees best with the count in the plan; an empty text if there is no such rate.
 std::string propose_rate(const Panel& panel, bool is_outer, std::size_t which) {
   const Cut& cut = (is_outer ? panel.outer : panel.inner)[which];
   std::string best;
@@ -51,7 +51,7 @@ std::string propose_rate(const Panel& panel, bool is_outer, std::size_t which) {
   return best;
 }
 
-/// `mended` is the panel with the proposed rate, which may be an empty text.
+/// Reports a text that is not a rate. `mended` is the panel with the proposed rate, if there is one.
 void say_no_rate(const Panel& panel, bool is_outer, std::size_t which, const std::string& proposed,
                  const Panel& mended, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const Cut& cut = (is_outer ? panel.outer : panel.inner)[which];
@@ -139,7 +139,7 @@ void check_edge_names(const Panel& panel, formats::Diagnostics& diagnostics) {
     for (const auto& cut : *side) check(cut.name, cut.place);
 }
 
-/// Reports seams that gather all meshes of a panel, and lets them gather none in the remaining checks.
+/// Reports seams that gather all meshes of a panel. In the remaining checks, these seams gather none.
 void check_selvedges(Panel& panel, formats::Diagnostics& diagnostics) {
   double gathered = 0;
   for (const auto* side : {&panel.outer, &panel.inner}) {
@@ -172,7 +172,7 @@ std::vector<PanelPoint> side_of(const Outline& outline, bool is_outer) {
   return corners;
 }
 
-/// The innermost place of the outer side at a depth, or the outermost one of the inner side.
+/// The innermost place of the outer side, or the outermost place of the inner side, at a depth.
 double place_at(const std::vector<PanelPoint>& side, double y, bool is_outer) {
   const double none = (is_outer ? 1 : -1) * std::numeric_limits<double>::infinity();
   double most = none;

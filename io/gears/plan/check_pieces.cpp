@@ -23,10 +23,10 @@ double number_of(const Pieces& pieces, const char* key, const char* unit) {
 }
 
 /// Whether pieces are floats, which lie side by side along a rope. Other pieces are discs threaded on the
-/// rope, which are shorter than wide.
+/// rope, which are wider than long.
 bool is_float(const Pieces& pieces) { return number_of(pieces, "buoyancy", "N") > 0; }
 
-/// The proposal of another number of pieces, a multiple of `step`.
+/// Proposes another number of pieces, a multiple of `step`.
 Cures cures_of_number(const Pieces& pieces, const std::string& path, double number, int step) {
   const double whole = step * std::floor(number / step);
   if (whole <= 0) return {};
@@ -51,7 +51,7 @@ void check_count(const Pieces& pieces, const std::string& path, bool is_on_both_
                         cures_of_number(pieces, path, pieces.number + 1, step));
 }
 
-/// Warns of floats that do not fit in a row, and refuses floats that do not even fit in bunches.
+/// Warns if floats do not fit in a row, and reports an error if they do not even fit in bunches.
 void check_room(const Pieces& pieces, const std::string& path, double length, bool is_on_both_sides,
                 const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const double diameter = number_of(pieces, "diameter", "m"), row = pieces.number * diameter;

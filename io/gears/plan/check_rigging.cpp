@@ -49,8 +49,8 @@ EdgeRow read_edge_row(const NetPlan& plan, const std::vector<std::string>& names
   return row;
 }
 
-/// Whether mesh counts, not lengths, are compared between the two sides of a seam. Lengths are compared if
-/// sides of panels are sewn to fore or aft edges, or to sides with another mesh size.
+/// Whether the two sides of a seam are compared by mesh counts. They are compared by lengths if sides of
+/// panels are sewn to fore or aft edges, or to sides with another mesh size.
 bool is_counted(const EdgeRow& a, const EdgeRow& b) {
   if (a.is_side != b.is_side) return false;
   return !a.is_side || (a.is_one_mesh_size && b.is_one_mesh_size && a.mesh == b.mesh);
@@ -60,12 +60,12 @@ bool is_counted(const EdgeRow& a, const EdgeRow& b) {
 struct Match {
   bool is_counted;
   double first, second;  // meshes, or length of twines [m]
-  double expected;       // the second over the first, as the plan wants it
+  double expected;       // the second amount over the first, as the plan states it
   double off() const { return second / first / expected - 1; }
 };
 
-/// Adds proposals of other counts for the edges of one side of a seam. Each alone would add `more` to this
-/// side, in the units of the match.
+/// Adds proposals of other counts for the edges of one side of a seam. Each proposal alone would add `more`
+/// to this side, in the unit of the match.
 void add_cures_of_row(Cures& cures, const NetPlan& plan, const std::vector<std::string>& row, double more,
                       bool is_counted) {
   formats::Diagnostics silent;
@@ -78,8 +78,8 @@ void add_cures_of_row(Cures& cures, const NetPlan& plan, const std::vector<std::
   }
 }
 
-/// Proposals for a seam whose sides do not fit: other counts of its edges, or the take-up ratio that the
-/// sides have.
+/// Proposals for a seam whose sides do not fit: other counts of its edges, or the take-up ratio that fits the
+/// sides.
 Cures cures_of_seam(const NetPlan& plan, const Join& join, const Match& match) {
   Cures cures;
   add_cures_of_row(cures, plan, join.edges[0], match.second / match.expected - match.first, match.is_counted);
@@ -135,8 +135,8 @@ void check_widths(const Join& join, const std::string& path, const EdgeRow& a, c
       "one mesh size may be that of one bar instead of two, or take_up may be missing");
 }
 
-/// Reports edges that the plan sews twice, or hangs twice. Names may overlap: "body.fore" contains
-/// "body.bosom".
+/// Reports edges that the plan sews twice or hangs twice. Different names may contain the same edge:
+/// "body.fore" contains "body.bosom".
 class Ledger {
  public:
   explicit Ledger(const char* deed) : deed_(deed) {}
@@ -159,7 +159,7 @@ class Ledger {
   std::map<std::string, formats::Place> done_;
 };
 
-/// Refuses an edge that is sewn to itself unless it exists to port and to starboard, or crosses the middle.
+/// Refuses an edge that is sewn to itself, unless it exists on both sides or crosses the middle.
 void check_sewn_to_itself(const Join& join, const std::string& path, const EdgeRow& row,
                           formats::Diagnostics& diagnostics) {
   if (row.times != 2 && row.across_middle != 1)
@@ -168,8 +168,8 @@ void check_sewn_to_itself(const Join& join, const std::string& path, const EdgeR
                       "only edges of a middle panel and edges of a pair can be sewn to themselves");
 }
 
-/// Refuses a row of edges of which more than two lie across the middle. A row is sewn from the middle
-/// outwards, and may return to the middle once.
+/// Refuses a row of edges if more than two of them lie across the middle. A row is sewn from the middle
+/// outwards, and may return to the middle only once.
 void check_ring(const Join& join, std::size_t k, const std::string& path, const EdgeRow& row,
                 formats::Diagnostics& diagnostics) {
   if (row.across_middle > 2)
@@ -187,7 +187,7 @@ double length_taken(const Hanging& hanging, const EdgeSet& edge, const Rope& rop
   return rope.stands == Standing::middle ? edge.times() * once : once;
 }
 
-/// Proposals that a hanging has one of these ratios, as lengths if the plan states a length.
+/// Proposes these ratios for a hanging, as lengths if the plan states a length.
 Cures cures_of_hanging(const Hanging& hanging, double stretched, std::initializer_list<double> ratios) {
   Cures cures;
   for (const double ratio : ratios) {
@@ -229,7 +229,8 @@ constexpr const char* kRunsAcross = "if the rope runs from one side to the other
 constexpr const char* kStandings =
     "a pair of ropes carries edges that exist twice, a rope in the middle carries edges of both sides";
 
-/// Refuses an edge that exists twice on a single rope, and an edge that exists once on a pair of ropes.
+/// Refuses an edge that exists on both sides but is hung on a single rope, and an edge that exists once but
+/// is hung on a pair of ropes.
 void check_times(const Hanging& h, const EdgeSet& edge, const Rope& rope, const std::string& path,
                  formats::Diagnostics& diagnostics) {
   const bool is_twice = edge.times() == 2;
@@ -311,7 +312,7 @@ void check_rope_length(const NetPlan& plan, const HangingsByRope& hangings, cons
     diagnostics.warning(rope.place, message, cure, cures);
 }
 
-/// Refuses a rope that exists once if it ends at a point that exists to port and to starboard.
+/// Refuses a rope that exists once but ends at a point that exists on both sides.
 void check_end(const NetPlan& plan, const Rope& rope, const std::string& end,
                formats::Diagnostics& diagnostics) {
   const std::string path = "ropes." + rope.name + ".between";
@@ -326,7 +327,8 @@ void check_end(const NetPlan& plan, const Rope& rope, const std::string& end,
                       cures_of_standing(rope, "pair", ""));
 }
 
-/// Refuses a pair of ropes that both lead to one point of a middle body, unless the point is in the middle.
+/// Refuses a pair of ropes if both lead to the same point of a middle body, unless this point is in the
+/// middle.
 void check_end_aside(const NetPlan& plan, const Rope& rope, const std::string& end,
                      formats::Diagnostics& diagnostics) {
   const auto dot = end.find('.');
@@ -480,9 +482,8 @@ void check_connections(const NetPlan& plan, formats::Diagnostics& diagnostics) {
   for (const auto& point : plan.points)
     if (!plan.find_body(owner(point.name))) all.add(point.name, point.place);
   for (const auto& body : plan.bodies)
-    if (tied.contains(body.name))
-      all.add(body.name,
-              body.place);  // the scene may attach bodies without ropes
+    if (tied.contains(body.name)) all.add(body.name,
+                                          body.place);  // a scene may attach bodies without ropes
   for (const auto& join : plan.joins) connect_join(all, join);
   for (const auto& hanging : plan.hangings) all.connect(owner(hanging.edge), hanging.rope);
   for (const auto& rope : plan.ropes)

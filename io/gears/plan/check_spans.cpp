@@ -18,8 +18,8 @@ namespace netloft::gears {
 
 namespace {
 
-/// A graph for shortest paths along ropes. Its vertices, which have numbers, are points and the start, middle
-/// and end of ropes; halves of ropes connect them.
+/// A graph for shortest paths along ropes. Its numbered vertices are points, and the start, middle and end of
+/// each rope; its edges are halves of ropes.
 class RopeWays {
  public:
   explicit RopeWays(const Gear& gear) {
@@ -40,8 +40,8 @@ class RopeWays {
     return at == numbers_.end() ? std::nullopt : std::optional(at->second);
   }
 
-  /// Lengths of the shortest paths along ropes from one vertex to those within `most` of it [m] (E. W.
-  /// Dijkstra 1959). The work is in proportion to the number of these vertices.
+  /// Lengths of the shortest paths along ropes from one vertex to all vertices within the distance `most` [m]
+  /// (E. W. Dijkstra 1959). The work is proportional to the number of these vertices.
   std::unordered_map<std::size_t, double> from(std::size_t start, double most = kFar) const {
     std::unordered_map<std::size_t, double> lengths;
     using Reached = std::pair<double, std::size_t>;
@@ -127,7 +127,8 @@ std::vector<RopeSpan> rope_spans(const NetPlan& plan) {
 
 void check_spans(const NetPlan& plan, const std::vector<RopeSpan>& spans, const CheckLimits& limits,
                  formats::Diagnostics& diagnostics) {
-  std::set<std::pair<std::size_t, std::size_t>> said;  // port and starboard would give the same message
+  std::set<std::pair<std::size_t, std::size_t>> said;  // the messages for port and starboard would be the
+                                                       // same
   for (const RopeSpan& span : spans) {
     const auto a = position(plan.points[span.ends[0].point], span.ends[0].is_mirrored),
                b = position(plan.points[span.ends[1].point], span.ends[1].is_mirrored);

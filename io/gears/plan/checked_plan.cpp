@@ -51,8 +51,8 @@ std::shared_ptr<const NetCheck> check_of(NetPlan net, formats::Diagnostics said)
       NetCheck{said.messages(), said.errors() ? std::vector<RopeSpan>{} : rope_spans(net)});
 }
 
-/// Checks a plan like check_plan(), but without proposals, and takes over the stored check of an equal net.
-/// Panels are not mended, because the plan is read and checked again after an error.
+/// Checks a plan like check_plan(), but without proposals, and uses the stored check of an equal net. Panels
+/// with errors are not changed, because the plan is read and checked again after an error.
 void check_plan(const NetPlan& plan, PlanMemory& memory, formats::Diagnostics& said) {
   const auto check = memory.checks.of<const NetPlan&>(
       plan, [&](const NetPlan& net) { return check_of(net, said.without_messages()); });
@@ -76,7 +76,7 @@ NetPlan read_and_check(const formats::Value& root, const Catalogue& catalogue, P
   NetPlan plan = read_plan(root, catalogue, memory, said);
   if (said.errors() == 0)
     trials == HintTrials::of_all ? check_plan(plan, said) : check_plan(plan, memory, said);
-  if (trials == HintTrials::of_errors && said.errors())  // only now it is known that proposals are needed
+  if (trials == HintTrials::of_errors && said.errors())  // only now is it known that proposals are needed
     return read_and_check(root, catalogue, memory, HintTrials::of_all, diagnostics);
   formats::mark_accepted(root, said);
   if (trials == HintTrials::of_all) try_cures(root, catalogue, said);

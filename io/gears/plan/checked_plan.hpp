@@ -4,17 +4,18 @@
 
 namespace netloft::gears {
 
-/// The messages whose proposals are tried (tried_cures.hpp): errors only, or warnings as well. A plan is read
-/// and checked again for every trial; a run saves this work if its plan has only warnings.
+/// The messages whose proposals are tried (tried_cures.hpp): errors only, or warnings as well. For every
+/// trial, the plan is read and checked again. A run, which tries proposals for errors only, saves this work
+/// if its plan has only warnings.
 enum class HintTrials { of_errors, of_all };
 
-/// Reads a plan from its tables, checks whether the net can be sewn, and tries what the hints propose.
-/// Warnings that the key `accept` names are marked as accepted. Parts stored in `memory` are taken over.
+/// Reads a plan from its tables, checks whether the net can be sewn, and tries the proposals of hints.
+/// Warnings named by the key `accept` are marked as accepted. Parts stored in `memory` are not read again.
 NetPlan read_and_check(const formats::Value& root, const Catalogue& catalogue, PlanMemory& memory,
                        HintTrials trials, formats::Diagnostics& diagnostics);
 
-/// Reads and checks the plan in a file for use, with `overrides` applied. Entries of `accept` that match
-/// nothing are reported.
+/// Reads and checks the plan in a file, with `overrides` applied. Reports entries of `accept` that match
+/// nothing.
 NetPlan read_and_check(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                        formats::Diagnostics& diagnostics);
 

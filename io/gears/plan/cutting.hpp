@@ -28,11 +28,11 @@ struct CuttingRate {
   bool operator==(const CuttingRate&) const = default;
 };
 
-/// Parses a rate: "5B1P", "1N2B", "AB", "AN", "AM". N means the same as P, and T the same as M. nullopt if
-/// the text is not a rate.
+/// Parses a rate such as "5B1P", "1N2B", "AB", "AN" or "AM". N means the same as P, and T the same as M.
+/// nullopt if the text is not a rate.
 std::optional<CuttingRate> parse_rate(std::string_view text);
 
-/// Rates that differ in one letter from `text`, which is not a rate: proposals for what the plan means.
+/// For a text that is not a rate: rates that differ from it in one letter, as proposals.
 std::vector<std::string> rates_near(const std::string& text);
 
 }  // namespace netloft::gears

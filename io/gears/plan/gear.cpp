@@ -28,7 +28,7 @@ OutlineEdge mirrored(OutlineEdge edge) {
   return edge;
 }
 
-/// Whether an edge continues in its mirror image: a fore or aft edge that begins or ends in the middle.
+/// Whether an edge continues in its mirror image. Fore and aft edges do if they begin or end in the middle.
 bool crosses_middle(const OutlineEdge& edge) {
   const bool lies_across = edge.kind == EdgeKind::fore || edge.kind == EdgeKind::aft;
   return lies_across && (edge.from.x == 0 || edge.to.x == 0);
@@ -108,8 +108,8 @@ class GearMaker {
     }
   }
 
-  /// The edges that a name of the plan means on one side of the gear. An edge that exists once belongs to
-  /// both sides.
+  /// The edges on one side of the gear that a name in the plan stands for. An edge that exists once belongs
+  /// to both sides.
   std::vector<EdgeRef> edges_of(const std::string& name, Side side) const {
     formats::Diagnostics silent;
     const EdgeSet set = find_edge(plan_, name, {}, "", silent);
@@ -217,7 +217,7 @@ class GearMaker {
   }
 
   /// Sets the points to which a rope is tied. For a rope across the middle, the plan names the point of its
-  /// middle and that of its end; in a whole gear, the latter exists on both sides.
+  /// middle and that of its end; in a whole gear, the point of the end exists on both sides.
   void tie(GearRope& one, Side side) const {
     const auto& [start, end] = one.rope->between;
     if (is_whole() && one.rope->stands == Standing::middle) {
@@ -241,7 +241,7 @@ class GearMaker {
     return port;
   }
 
-  /// Distributes the length of a hanging over its edges in proportion to the length of their twines.
+  /// Distributes the length of a hanging among its edges, in proportion to the length of their twines.
   void append_hung(std::vector<HungEdge>& hung, const Hanging& hanging,
                    const std::vector<EdgeRef>& edges) const {
     formats::Diagnostics silent;
@@ -262,7 +262,7 @@ class GearMaker {
   }
 
   /// Adds pieces such as floats. The plan states numbers for the whole gear. A pair has half of the number on
-  /// each side; half a gear has half of the pieces across the plane.
+  /// each side. Half a gear has half of those pieces that lie across the plane of symmetry.
   void add_pieces(const Pieces& pieces) {
     const Standing stands = standing_of(pieces);
     const bool is_shared = stands == Standing::pair || (stands == Standing::middle && !is_whole());
@@ -298,8 +298,8 @@ class GearMaker {
     return {name.substr(0, dot), dot == std::string::npos ? "" : name.substr(dot + 1)};
   }
 
-  /// The name in the gear of a point of the plan, on one side. In the plan, a rope across the middle has its
-  /// "end" on both sides; in a whole gear, these are its start (to port) and its end (to starboard).
+  /// The name that a point of the plan has in the gear, on one side. In the plan, a rope across the middle
+  /// has an "end" on both sides; in a whole gear, these are its start (to port) and its end (to starboard).
   std::string point_on(const std::string& name, Side side) const {
     const auto [owner, rest] = split(name);
     const Standing stands = standing_of(owner);

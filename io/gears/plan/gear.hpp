@@ -12,8 +12,8 @@ namespace netloft::gears {
 /// The part of a gear that is modelled.
 enum class Extent {
   whole,
-  half,  // the starboard half of a symmetric gear in a symmetric flow; the middles of panels are on the
-         // plane of symmetry, and so are edges that are sewn to their mirror image
+  half,  // the starboard half of a symmetric gear in a symmetric flow; the middles of panels are on
+         // the plane of symmetry, and so are edges sewn to their mirror image
 };
 
 /// One piece of netting of a gear. In a whole gear, panels of pairs are named "port-…" and "starboard-…", and
@@ -22,7 +22,7 @@ struct GearPanel {
   std::string name;
   const Panel* panel = nullptr;
   bool is_mirrored = false;  // whether positive x of its outline points to port
-  Outline outline;           // a middle panel of a whole gear has both halves, port at negative x
+  Outline outline;           // for a middle panel of a whole gear: both halves, port at negative x
 
   /// Coordinates (u, v) of a point of the outline along the two twine directions [bars].
   std::array<double, 2> twine_coordinates(PanelPoint point) const {
@@ -42,12 +42,13 @@ struct EdgeRef {
 };
 
 /// Edges that are sewn together, one or more on each side of the seam. Both sides become one line of knots,
-/// whatever their division. Edges keep the direction of their outlines, which may differ across the seam.
+/// however they are divided. Edges have the directions of their outlines, which may be opposite across the
+/// seam.
 struct Seam {
   std::array<std::vector<EdgeRef>, 2> edges;
   double take_up = 0;  // meshes of the second side per mesh of the first; 0: mesh to mesh
-  /// Whether edges are sewn to their mirror image; edges that cross the middle are then on both sides of the
-  /// seam.
+  /// Whether edges are sewn to their mirror image; edges that cross the middle then belong to both sides of
+  /// the seam.
   bool is_to_itself = false;
   std::size_t join = 0;  // index in NetPlan::joins
 };
@@ -75,8 +76,8 @@ struct GearRope {
 struct GearPieces {
   std::string name;
   const Pieces* pieces = nullptr;
-  double number = 0;           // pieces in the modelled part; half a gear has half of those across the plane
-  std::string rope;            // distributed along this rope
+  double number = 0;  // number in the modelled part; half a gear has half of the pieces across the plane
+  std::string rope;   // distributed along this rope
   std::vector<EdgeRef> edges;  // distributed along these edges in proportion to the length of their twines
   std::string point;           // all pieces are at this point
 };
@@ -116,9 +117,9 @@ struct Gear {
   const GearRope* find_rope(const std::string& name) const;
   /// Returns the name of an edge, such as "top-body.port-wing".
   std::string name_of(const EdgeRef& edge) const;
-  /// If a row of edges goes round the net, returns the last panel of the row; otherwise nullopt. Such a row
+  /// If a row of edges goes round the net, returns the last panel of the row, otherwise nullopt. Such a row
   /// begins in the middle of its first panel, goes outwards, and comes back to the middle along its last
-  /// panel (upper and lower panel before a tube, for example).
+  /// panel (for example, the upper and the lower panel before a tube).
   std::optional<std::size_t> last_of_ring(const std::vector<EdgeRef>& row) const;
 
  private:

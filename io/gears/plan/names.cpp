@@ -30,7 +30,7 @@ bool stands_for(std::string_view word, const OutlineEdge& edge) {
     case EdgeKind::inner:
       return word == "inner" || word == edge.name;
     default:
-      return false;  // an edge in the middle is sewn to its mirror image and to nothing else
+      return false;  // such an edge is sewn to its mirror image only
   }
 }
 
@@ -107,7 +107,7 @@ EdgeSet find_edge(const NetPlan& plan, const std::string& name, const formats::P
   const Panel* panel = find_panel_or_say(plan, dotted.owner, place, path, diagnostics);
   if (!panel) return {};
   EdgeSet set{panel, {}};
-  if (panel->is_empty()) return set;  // a panel without edges has been reported already
+  if (panel->is_empty()) return set;  // for a panel without edges, an error was reported before
   for (const auto& edge : panel->outline.edges)
     if (stands_for(dotted.rest, edge)) set.edges.push_back(edge);
   if (set.edges.empty())

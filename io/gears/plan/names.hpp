@@ -6,25 +6,26 @@
 
 namespace netloft::gears {
 
-/// The edges of one panel that a name means, in the order from the middle outwards, or aft.
+/// The edges of one panel that a name stands for, ordered from the middle outwards, or aft.
 struct EdgeSet {
   const Panel* panel = nullptr;
   std::vector<OutlineEdge> edges;
 
-  /// Number of meshes; that of a fore or aft edge across the middle includes port and starboard.
+  /// Number of meshes. For a fore or aft edge across the middle, it includes port and starboard.
   double meshes() const;
   /// Length of the straight twines along the edges [m], counted like meshes().
   double stretched() const;
-  /// How often the edges exist in the whole gear: once across the middle or in a single panel, else twice.
+  /// How often the edges exist in the whole gear: once if they lie across the middle or in a single panel,
+  /// otherwise twice.
   int times() const;
   bool is_side() const;
   /// Whether the edges lie across the plane of symmetry.
   bool is_across_middle() const;
 };
 
-/// The edges that a name means: "top-wing.inner", "top-wing.breast-cut", "top-body.fore" (all parts of the
-/// fore edge). If there is no such edge, the result is empty and an error at `place` lists similar names;
-/// `path` is the key that contains the name. A panel without meshes has no edges.
+/// The edges that a name stands for, such as "top-wing.inner", "top-wing.breast-cut" or "top-body.fore" (all
+/// parts of the fore edge). If there is no such edge, returns an empty set and reports an error at `place`
+/// that lists similar names; `path` is the key that contains the name. A panel without meshes has no edges.
 EdgeSet find_edge(const NetPlan& plan, const std::string& name, const formats::Place& place,
                   const std::string& path, formats::Diagnostics& diagnostics);
 
@@ -32,12 +33,12 @@ EdgeSet find_edge(const NetPlan& plan, const std::string& name, const formats::P
 using HangingsByRope = std::multimap<std::string, const Hanging*>;
 HangingsByRope hangings_by_rope(const NetPlan& plan);
 
-/// The rope of this name. If there is none, the result is nullptr and an error is reported.
+/// The rope of this name. If there is none, reports an error and returns nullptr.
 const Rope* find_rope_or_say(const NetPlan& plan, const std::string& name, const formats::Place& place,
                              const std::string& path, formats::Diagnostics& diagnostics);
 
 /// The owner of a point: "headrope.end" belongs to the rope, "top-wing.fore-outer" to the panel,
-/// "towing-point" to itself. If there is no such point, the result is empty and an error is reported.
+/// "towing-point" to itself. If there is no such point, reports an error and returns an empty text.
 std::string find_point_owner(const NetPlan& plan, const std::string& name, const formats::Place& place,
                              const std::string& path, formats::Diagnostics& diagnostics);
 
@@ -51,8 +52,8 @@ bool is_on_both_sides(const NetPlan& plan, const std::string& name);
 /// Whether a corner of a middle panel lies on the plane of symmetry.
 bool is_corner_in_middle(const std::string& corner);
 
-/// The names of the corners of a panel: fore-outer, fore-inner, aft-outer, aft-inner, and the aft ends of the
-/// cuts of a side with several cuts, such as breast-cut-aft.
+/// The names of the corners of a panel: fore-outer, fore-inner, aft-outer, aft-inner, and, for a side with
+/// several cuts, the aft ends of the cuts, such as breast-cut-aft.
 std::vector<std::string> corner_names(const Panel& panel);
 
 }  // namespace netloft::gears

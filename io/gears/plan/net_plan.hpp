@@ -23,9 +23,9 @@ enum class Standing {
   middle,  // lies across the plane of symmetry, and is symmetric itself
 };
 
-/// A number of meshes along a fore or an aft edge. In the lists of a panel, counts go from the middle
-/// outwards (in a pair: from the inner side outwards). In a middle panel the first count is the whole stretch
-/// across the middle; each of the other counts exists to port and to starboard.
+/// A number of meshes along a fore or an aft edge. In the lists of a panel, counts are ordered from the
+/// middle outwards (in a pair: from the inner side outwards). In a middle panel the first count is the whole
+/// stretch across the middle; each of the other counts exists to port and to starboard.
 struct MeshCount {
   std::string name;
   double meshes = 0;
@@ -58,8 +58,8 @@ struct OpenEdge {
   bool operator==(const OpenEdge&) const = default;
 };
 
-/// A point of an undeformed panel: x meshes across, outwards; y meshes aft of the fore edge. In both
-/// directions, the unit is a mesh as net makers count it.
+/// A point of an undeformed panel: x meshes across, outwards; y meshes aft of the fore edge. The unit of both
+/// is a mesh as net makers count it.
 struct PanelPoint {
   double x = 0, y = 0;
   bool operator==(const PanelPoint&) const = default;
@@ -83,9 +83,9 @@ struct OutlineEdge {
 /// more.
 ///
 /// A middle panel is represented by its starboard half, with the middle at x = 0; a pair by its starboard
-/// panel, whose inner side begins at x = 0. If cuttings and counts disagree, which the check reports, counts
-/// are kept, because counted meshes are sewn: each side is moved by half of the difference, in proportion to
-/// the depth. Then sides are moved inwards by the meshes that selvedges gather.
+/// panel, whose inner side begins at x = 0. If cuttings and counts disagree (the check reports this), the
+/// counts are kept, because seams join counted meshes: each side is moved by half of the difference, in
+/// proportion to the depth. Then the sides are moved inwards by the meshes that selvedges gather.
 struct Outline {
   std::vector<OutlineEdge> edges;
   std::vector<PanelPoint> corners() const;
@@ -107,11 +107,11 @@ struct Panel {
   double depth = 0;            // meshes from fore to aft, over all pieces in a row
   int pieces = 1;              // number of pieces sewn mesh to mesh in a row, each `depth`/`pieces` deep
   std::vector<OpenEdge> open;  // edges that are intentionally neither sewn nor hung
-  bool has_corners = false;    // whether corners define the panel instead of counts and cuttings
+  bool has_corners = false;    // whether the panel is given by its corners instead of counts and cuttings
   bool is_round = false;       // whether the panel is a tube: its sides are sewn together
   std::vector<Cut> outer;      // outer side; both sides of a middle panel
   std::vector<Cut> inner;      // inner side; empty in a middle panel
-  Outline outline;             // drawn by outline_of() from counts, cuttings and depth
+  Outline outline;             // computed by outline_of() from counts, cuttings and depth
   /// Initial corners of a starboard panel, or of the starboard half of a middle panel [m]: fore-inner,
   /// fore-outer, aft-outer, aft-inner; may be empty.
   std::vector<std::array<double, 3>> sketch;
@@ -129,8 +129,8 @@ struct Panel {
 constexpr double kWinchSpeed = 2;    // [m/s]; trawl winches haul some 80 to 120 m in a minute
 constexpr double kWinchBand = 0.05;  // default deviation at full speed, as a fraction of the tension
 
-/// A rope, wire or chain. A rope in the middle has its full length here; it starts in the middle and ends on
-/// both sides.
+/// A rope, wire or chain. For a rope in the middle, this has its full length; the rope starts in the middle
+/// and ends on both sides.
 struct Rope {
   std::string name;
   Standing stands = Standing::alone;
@@ -138,7 +138,8 @@ struct Rope {
   formats::Value rope;                // a table of the properties of the rope: diameter, EA, density, …
   double length = 0;                  // unstretched length [m]
   std::optional<double> length_port;  // length of the rope to port, if different [m]
-  // Tension at the start of the rope to starboard and to port, if the solver finds the length [N].
+  // If the solver finds the length of the rope: the required tension at its start, to starboard and to port
+  // [N].
   std::optional<double> tension, tension_port;
   std::string role;  // one of rope_roles(); empty: none
   formats::Place role_place;
@@ -147,7 +148,7 @@ struct Rope {
   std::vector<WinchStage> winch;
   formats::Place winch_place, tension_place;
   bool is_selvedge =
-      false;  // whether the rope is a strip of meshes gathered into a seam, which no plan states
+      false;  // whether this is a strip of meshes gathered into a seam, which plans do not list as a rope
   formats::Place place, between_place;
 };
 
@@ -158,8 +159,8 @@ const std::vector<std::string>& rope_roles();
 /// An edge that is hung on a rope. The edges of a rope follow each other in the order of the hangings.
 struct Hanging {
   std::string edge, rope;
-  // Length of rope that the edge takes [m], for an edge across the middle that of both halves; 0: `ratio` is
-  // given.
+  // Length of rope that the edge takes [m]; for an edge across the middle, the length for both halves. 0:
+  // `ratio` is given.
   double length = 0;
   double ratio = 0;  // length of rope divided by that of the stretched edge; 0: `length` is given
   formats::Place edge_place, rope_place, place;
@@ -205,7 +206,7 @@ struct Point {
 /// A point of a rigid body to which ropes lead; it is also a point of the plan, body.name.
 struct BodyPoint {
   std::string name;
-  double y = 0;  // position in the body's own axes, to starboard [m]; 0 if the scene cannot read the point
+  double y = 0;  // position in the axes of the body, to starboard [m]; 0 if the scene cannot read the point
   bool operator==(const BodyPoint&) const = default;
 };
 
@@ -221,7 +222,7 @@ struct PlanBody {
   const BodyPoint* find_point(const std::string& point) const;
 };
 
-/// Speed and heading of a ship at a time; linear between the times, and constant after the last one.
+/// Speed and heading of a ship at a time. They are linear between the times and constant after the last one.
 struct ShipMoment {
   double t;        // [s]
   double speed;    // speed over the ground [m/s]
@@ -231,7 +232,8 @@ struct ShipMoment {
 /// The ship that tows the gear. Reading it adds the points `block` and the ropes `warp` to the plan.
 struct Ship {
   double speed = 0;                        // speed over the ground [m/s]
-  double block_height = 0, block_gap = 0;  // height above the water; distance between port and starboard [m]
+  double block_height = 0, block_gap = 0;  // height above the water; distance between the port and the
+                                           // starboard block [m]
   double efficiency = 0;                   // towing power divided by the heat power of the fuel; 0: unknown
   std::vector<ShipMoment> path;            // path in a motion; empty: constant speed, straight ahead
   std::vector<ShipMoment> path_port;       // path of a second ship, to port; empty if there is only one ship

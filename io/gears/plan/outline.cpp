@@ -71,8 +71,8 @@ void draw_counts(Pen& pen, const Panel& panel, const std::vector<MeshCount>& cou
              {pen.at().x + direction * count.meshes, pen.at().y});
 }
 
-/// Meshes that seams gather at the corner before cut k of a side; if k is the number of cuts, at the last
-/// corner of the side.
+/// Meshes that seams gather at the corner before cut k of a side. If k is the number of cuts, this is the
+/// last corner.
 double selvedge_at(const std::vector<Cut>& side, std::size_t k) {
   return std::max(k > 0 ? side[k - 1].selvedge : 0.0, k < side.size() ? side[k].selvedge : 0.0);
 }
@@ -99,8 +99,8 @@ void gather(std::vector<PanelPoint>& corners, const std::vector<Cut>& side, doub
   }
 }
 
-/// The corners of a side that starts at x0. Each cut moves it by `sign` times the meshes of the cut. `shift`
-/// is added in proportion to the depth; depths are scaled to the depth of the panel.
+/// The corners of a side that starts at x0. From corner to corner, x changes by `sign` times the meshes of
+/// the cut; `shift` is added in proportion to the depth. Depths are scaled to the depth of the panel.
 std::vector<PanelPoint> side_corners(const std::vector<Cut>& side, double x0, double sign, double depth,
                                      double shift) {
   const double scale = depth_of(side) > 0 ? depth / depth_of(side) : 1;
@@ -114,7 +114,8 @@ std::vector<PanelPoint> side_corners(const std::vector<Cut>& side, double x0, do
   return corners;
 }
 
-/// Draws a side. The length of an edge is that of its cut as stated, not that of the line between corners.
+/// Draws a side. The length of an edge is the stated length of its cut, not the length of the line between
+/// the corners.
 void draw_side(Pen& pen, const Panel& panel, const std::vector<PanelPoint>& corners, EdgeKind kind) {
   const bool forward = kind == EdgeKind::inner;
   const auto& side = forward ? panel.inner : panel.outer;

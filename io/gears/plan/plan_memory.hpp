@@ -19,15 +19,15 @@ struct TableRead {
 template <class T>
 using TablesRead = std::map<std::string, Recent<formats::Value, const TableRead<T>>>;
 
-/// A plan as an input of check_net() and rope_spans(). Two are equal if all data are equal that these
-/// functions read; materials, pieces, winches, the ship and positions of points may differ.
+/// A plan as an input of check_net() and rope_spans(). Two inputs are equal if all data that these functions
+/// read are equal; materials, pieces, winches, the ship and positions of points may differ.
 struct NetInput {
   explicit NetInput(const NetPlan& given) : plan(given) {}
   NetPlan plan;
   bool operator==(const NetPlan& other) const;
 };
 
-/// The messages of check_net() about a plan, and its ropes between points, which are left out after an error.
+/// The messages of check_net() about a plan, and its rope spans, which are empty after an error.
 struct NetCheck {
   std::vector<formats::Diagnostic> messages;
   std::vector<RopeSpan> spans;

@@ -34,12 +34,12 @@ PlanBody read_plan_body(const std::string& name, formats::TableReader& table, co
 /// Reads `[ship]`, and adds its blocks and warps to the plan. The bodies of the plan must be known.
 void add_ship(NetPlan& plan, formats::TableReader& ship, const Catalogue& catalogue);
 
-/// Reads `winch` of a warp, after the lengths and tensions of the warp: one table, or a list of tables that
-/// replace one another in time.
+/// Reads `winch` of a warp, after the lengths and tensions of the warp: one table, or a list of tables, each
+/// of which replaces the previous one at its first time.
 void read_winch(formats::TableReader& warp, Rope& rope);
 
-/// Models the meshes that seams gather: outlines become narrower by these meshes, and a rope along the edge
-/// has their stiffness and mass.
+/// Models the meshes that seams gather: makes outlines narrower by these meshes, and adds ropes along the
+/// edges with the stiffness and mass of the gathered meshes.
 void add_selvedges(NetPlan& plan, formats::Diagnostics& diagnostics);
 
 Standing read_standing(formats::TableReader& table, const char* fallback);

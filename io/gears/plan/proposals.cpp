@@ -72,7 +72,7 @@ Panel settled(Panel panel) {
   return panel;
 }
 
-/// Meshes by which the cuttings give more at the aft edge than the plan.
+/// The meshes at the aft edge by the cuttings, minus the meshes by the plan.
 double excess_of(const Panel& panel) { return aft_by_cuttings(panel) - panel.count(panel.aft); }
 
 bool is_as_deep_as_the_panel(const Panel& panel, const std::vector<Cut>& side, const CheckLimits& limits) {
@@ -87,7 +87,7 @@ bool closes(const Panel& panel, const CheckLimits& limits) {
          is_as_deep_as_the_panel(panel, panel.inner, limits);
 }
 
-/// The roundings of a number of meshes that a net maker would write, the roundest first.
+/// A number of meshes rounded as a net maker would write it; the roundest number comes first.
 std::vector<double> roundings(double meshes) {
   std::vector<double> all;
   for (const double step : {1.0, 0.5, 0.1})
@@ -97,7 +97,8 @@ std::vector<double> roundings(double meshes) {
   return all;
 }
 
-/// A rate in the letters of another one, "2B1P" rather than "1N2B" beside "5B1P". `text` is the usual form.
+/// A rate with the letters and the order of another rate: "2B1P" instead of "1N2B" next to "5B1P". `text` is
+/// the usual form.
 std::string spelled_like(const std::string& written, const CuttingRate& rate, const std::string& text) {
   if (text[0] == 'A' || written.empty()) return text;
   const bool has_points = rate.points > 0;
@@ -129,9 +130,9 @@ class Closing {
 
  private:
   struct Proposal {
-    double miss;  // meshes by which the cuttings then disagree with the aft count
+    double miss;  // meshes by which cuttings and aft count then still disagree
     formats::Cure cure;
-    bool is_far = false;  // whether a number becomes another one altogether
+    bool is_far = false;  // whether the new number has little to do with the old one
   };
 
   void add(double miss, formats::Cure cure, bool is_far = false) {
@@ -180,7 +181,7 @@ class Closing {
         return add(std::abs(excess_of(with(value))), set(path, as_number(value)), is_far(now, value));
   }
 
-  /// Proposes another depth, or another number of meshes, of a cut that states it.
+  /// Proposes another depth or another number of meshes for a cut that states it.
   void add_extent(bool is_outer, std::size_t which) {
     const Cut& cut = side_of(panel_, is_outer)[which];
     if (cut.said_deep)
@@ -191,7 +192,7 @@ class Closing {
                  [=](Panel& panel, double across) { side_of(panel, is_outer)[which].said_across = across; });
   }
 
-  /// A cut at another rate. `letters` counts the letters by which it differs from what is written.
+  /// A cut at another rate. `letters` is the number of letters that differ from the written rate.
   struct Recut : Proposal {
     std::size_t letters;
   };
@@ -210,7 +211,7 @@ class Closing {
       proposals_.push_back(std::move(fitting[k]));
   }
 
-  /// One cut at another rate, if the panel then closes.
+  /// Changes one cut to another rate. nullopt if the panel does not close with this rate.
   std::optional<Recut> recut(bool is_outer, std::size_t which, const char* rate, int goes) const {
     Panel panel = panel_;
     Cut& cut = side_of(panel, is_outer)[which];
@@ -227,8 +228,8 @@ class Closing {
                  detail::edit_distance(before.written, text) + (before.goes != goes)};
   }
 
-  /// Proposes a straight run before the cut of a whole side: before its own rate, or else before the usual
-  /// rate that is just steep enough.
+  /// For a side with a single cut, proposes a straight run before the cut. The cut then has its own rate or,
+  /// if that does not fit, the usual rate that is just steep enough.
   void add_straight_run(bool is_outer) {
     const auto& side = side_of(panel_, is_outer);
     if (!is_one_text(side, key_of_side(panel_, is_outer))) return;
@@ -243,7 +244,8 @@ class Closing {
     if (!best.empty() && wanted != 0) add_run_before(is_outer, best, goes, std::abs(wanted));
   }
 
-  /// The usual rate that goes least across among those for which `is_fit`; an empty text if there is none.
+  /// Among the usual rates for which `is_fit` is true, the one that goes least across; an empty text if there
+  /// is none.
   static std::string gentlest(const std::function<bool(const CuttingRate&)>& is_fit) {
     std::string best;
     double least = std::numeric_limits<double>::infinity();
@@ -279,7 +281,7 @@ class Closing {
   std::vector<Proposal> proposals_;
 };
 
-/// The path of a count, and the number of times that it counts for the edge.
+/// The path of a count, and how many times it is contained in the meshes of the edge.
 struct CountPlace {
   std::string path;
   double meshes, times;
@@ -306,7 +308,8 @@ std::vector<CountPlace> counts_of(const EdgeSet& edge) {
   return places;
 }
 
-/// Other numbers of a panel whose aft edge has no count of its own, so that the edge has `meshes`.
+/// Proposals for a panel whose aft edge follows from its cuttings: other numbers, with which the edge has
+/// `meshes`.
 Cures cures_of_following(Panel panel, double meshes) {
   if (meshes < 0) return {};
   panel.aft = {{"aft", std::round(meshes), {}}};

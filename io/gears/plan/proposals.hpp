@@ -12,7 +12,7 @@
 namespace netloft::gears {
 
 // Proposals are values of keys that may remove a message of the check. The functions here need not know what
-// else depends on a key: tried_cures.hpp tries each proposal before anybody reads it.
+// else depends on a key, because tried_cures.hpp tries each proposal before it is shown.
 using Cures = std::vector<formats::Cure>;
 
 /// A dotted path: path_of({"panels", "bag", "aft"}) is panels.bag.aft.
@@ -27,16 +27,16 @@ formats::Value as_text(std::string text);
 double millimetres_below(double metres);
 double millimetres_above(double metres);
 
-/// Values with which the cuttings of a panel give the meshes of its aft edge: other counts, another depth,
-/// other rates, a straight run before a cut.
+/// Changes with which the cuttings of a panel agree with the meshes of its aft edge: other counts, another
+/// depth, other rates, or a straight run before a cut.
 Cures cures_of_closing(const Panel& panel, const CheckLimits& limits);
-/// The other direction for each cut of a panel whose sides would meet, or no taper.
+/// For a panel whose sides would meet: the opposite direction for each cut, or no taper.
 Cures cures_of_direction(const Panel& panel);
-/// Values with which the cuts of a side, of which `key` is the name, go as deep as the panel.
+/// Changes with which the cuts of the side `key` go as deep as the panel.
 Cures cures_of_depth(const Panel& panel, const std::vector<Cut>& side, const std::string& key);
-/// Other rates for one cut: these, and then the usual ones.
+/// Other rates for one cut: first the given rates, then the usual ones.
 Cures cures_of_rate(const Panel& panel, bool is_outer, std::size_t which, std::vector<std::string> rates);
-/// Values with which an edge, or several in a row of one panel, has `more` meshes than now.
+/// Changes that give an edge, or several consecutive edges of one panel, `more` meshes than now.
 Cures cures_of_edge(const EdgeSet& edge, double more);
 
 }  // namespace netloft::gears

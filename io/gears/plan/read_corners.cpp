@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reads a panel given by its corners in meshes instead of counts and cuttings: any polygon of three corners
-// or more whose sides go aft, or across, from its fore end to its aft end.
+// Reads a panel given by its corners in meshes instead of counts and cuttings: any polygon with three corners
+// or more whose two sides never run forward between the fore end and the aft end.
 #include "io/gears/plan/plan_reader.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ constexpr double kSame = 1e-9;  // tolerance for equal counts [meshes]
 
 struct Corner {
   double across = 0, deep = 0;  // meshes outwards and aft
-  std::string edge;             // name of the edge after the corner; empty: a default name
+  std::string edge;             // name of the edge that begins at the corner; empty: a default name
 };
 
 /// Divides the border given by corners into edges; the member functions are steps in the order of execution.
@@ -82,13 +82,14 @@ class CornerReader {
     return sum / 2;
   }
 
-  /// Reorders the corners as in outlines, which begin at the inner end of the fore edge and follow it
-  /// outwards.
+  /// Reorders the corners as in an outline, which begins at the inner end of the fore edge and follows this
+  /// edge outwards.
   void turn_to_fore() {
     if (std::abs(area()) < kSame) return fail("enclose no netting", "give them in a row round the panel");
     if (area() < 0) {
       std::reverse(corners_.begin(), corners_.end());
-      auto first = corners_.front().edge;  // edges belong to their first corner, which has become the last
+      auto first = corners_.front().edge;  // edges belong to their first corner, which has become their last
+                                           // one
       for (std::size_t i = 0; i + 1 < corners_.size(); ++i) corners_[i].edge = corners_[i + 1].edge;
       corners_.back().edge = first;
     }
@@ -144,8 +145,8 @@ class CornerReader {
   /// Returns 1 for the outer side, which goes outwards where the panel becomes wider; -1 for the inner side.
   double side_sign(const std::vector<Cut>& side) const { return &side == &panel_.outer ? 1 : -1; }
 
-  /// Removes the middle line of a middle panel. The corners of such a panel enclose one half; the line is no
-  /// edge.
+  /// Removes the middle line of a middle panel. The corners of such a panel enclose one half only, and the
+  /// middle line is not an edge.
   void leave_out_middle() {
     const bool is_straight = panel_.inner.size() == 1 && panel_.inner[0].across == 0;
     const bool is_on_middle = std::abs(corners_.front().across) < kSame;
@@ -155,7 +156,7 @@ class CornerReader {
           "give the starboard half of a panel in the middle, from [0, …] to [0, …], or stands = \"pair\"");
     panel_.inner.clear();
     for (auto* edge : {&panel_.fore, &panel_.aft})
-      if (!edge->empty()) edge->front().meshes *= 2;  // the first count lies across the middle
+      if (!edge->empty()) edge->front().meshes *= 2;  // the first count is for both halves
   }
 
   void name_sides() {

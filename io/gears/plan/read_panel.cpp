@@ -77,7 +77,7 @@ void read_extent(Cut& cut, formats::TableReader& table) {
   if (table.has("depth")) cut.said_deep = read_meshes(table, "depth", "meshes that the cut goes aft");
 }
 
-/// Whether the two numbers that a plan states for a cut agree.
+/// Whether the two numbers that a plan states for a cut agree with its rate.
 bool agrees(const Cut& cut) {
   const double across = cut.rate.across(*cut.said_deep);
   return std::abs(across - *cut.said_across) <= std::max(1.0, 0.03 * *cut.said_across);
@@ -115,7 +115,7 @@ std::vector<Cut> read_whole_side(formats::TableReader& table, const char* key) {
   return {cut};
 }
 
-/// The straight side of a tube without stated cuts.
+/// The straight side of a tube for which the plan states no cuts.
 Cut straight_cut(const char* key, const formats::Place& place) {
   Cut cut;
   cut.name = key;
@@ -181,15 +181,15 @@ double diameter_of(const formats::Value& twine, const std::string& path, formats
   return reader.has("diameter") ? reader.real("diameter", {.unit = "m", .range = formats::between(0, 1)}) : 0;
 }
 
-/// Refuses a mesh size without a unit that is as large as millimetres are. Meshes of some metres exist, in
-/// the fore parts of pelagic trawls, and can be said with their unit.
+/// Refuses a mesh size without a unit if the number is so large that it must be in millimetres. Meshes of
+/// several metres exist in the fore parts of pelagic trawls; they have to be written with a unit.
 void check_unit(const Panel& panel, formats::TableReader& table) {
   constexpr double kLarge = 2;  // [m]
   const formats::Value* written = table.raw("mesh");
   const double* real = written ? written->as<double>() : nullptr;
   const std::int64_t* whole = written ? written->as<std::int64_t>() : nullptr;
   const double number = real ? *real : whole ? static_cast<double>(*whole) : 0;
-  if (number < kLarge || number != panel.mesh) return;  // a number out of range is reported already
+  if (number < kLarge || number != panel.mesh) return;  // a number out of range has been reported before
   table.error(
       "mesh",
       fmt::format("{:g} means meshes of {:g} m, because numbers without a unit are in metres", panel.mesh,

@@ -24,7 +24,7 @@ constexpr const char* kOfScenes[] = {"water",    "tow",     "bed",      "parts",
                                      "analysis", "results", "elements", "flow"};
 constexpr const char* kOfModels[] = {"extent", "nodes", "size", "finer"};
 constexpr const char* kOfPlans[] = {"gear", "panels", "ropes",
-                                    "hang", "floats", "points"};  // a ship and bodies alone make no plan
+                                    "hang", "floats", "points"};  // a ship or bodies alone are not a plan
 
 /// Whether a [[join]] connects parts of a scene rather than edges.
 bool joins_parts(formats::TableReader& join) {
@@ -124,7 +124,7 @@ class PlanReader {
     }
   }
 
-  /// Reads the parts of one kind, and takes over those whose table has been read before.
+  /// Reads the parts of one kind. Parts whose table has been read before are taken from memory.
   template <class T, class Read>
   void read_tables(const char* key, const char* doc, formats::Presence presence, TablesRead<T>& stored,
                    const Read& read, std::vector<T>& parts) {
@@ -195,7 +195,7 @@ std::vector<formats::SourceFile> joined(std::vector<formats::SourceFile> files,
   return files;
 }
 
-/// Adds the catalogue of the user, of the library, and of the folders that the document names.
+/// Adds the catalogues of the user, of the library, and of the folders that the document names.
 std::optional<PlanDocument> with_catalogue(formats::Value root, const std::vector<formats::SourceFile>& files,
                                            const std::filesystem::path& folder,
                                            formats::Diagnostics& diagnostics) {

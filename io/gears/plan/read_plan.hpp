@@ -12,7 +12,7 @@ namespace netloft::gears {
 struct PlanDocument {
   formats::Value root;
   Catalogue catalogue;
-  std::vector<formats::SourceFile> files;  // those of the document, and those of the catalogue
+  std::vector<formats::SourceFile> files;  // files of the document and of the catalogue
 
   /// Reads a file with all its includes, with `overrides` ("path=value") applied, and the catalogues; nullopt
   /// if there is an error in the file or in the overrides.
@@ -30,8 +30,8 @@ struct PlanDocument {
 NetPlan read_plan(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                   formats::Diagnostics& diagnostics);
 
-/// Whether the root table of a document contains a plan, which has panels. A document that has other tables
-/// of a plan, but no panels, counts as a plan whose panels are missing, unless it is a scene made of parts.
+/// Whether the root table of a document contains a plan, which has panels. If a document has other tables of
+/// a plan but no panels, it counts as a plan whose panels are missing, unless it is a scene made of parts.
 bool holds_plan(const formats::Value& root);
 
 /// The tables of a scene on which its plan depends. Other tables, the keys of `[gear]` for the division into
@@ -42,7 +42,7 @@ formats::Value tables_of_plan(formats::Value scene);
 NetPlan read_plan(const formats::Value& tables, const Catalogue& catalogue,
                   formats::Diagnostics& diagnostics);
 
-/// Takes over the parts of the plan that are stored in `memory`, which must be about this catalogue.
+/// Takes parts that are stored in `memory` from there. The memory must belong to this catalogue.
 NetPlan read_plan(const formats::Value& tables, const Catalogue& catalogue, PlanMemory& memory,
                   formats::Diagnostics& diagnostics);
 

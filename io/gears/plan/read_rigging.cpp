@@ -42,7 +42,8 @@ bool split_spread(const std::string& text, Pieces& pieces) {
   return !pieces.along.empty() || !pieces.at.empty();
 }
 
-/// Refuses a point of a pair that is to port, and a point in the middle that is not on the plane of symmetry.
+/// Refuses a point of a pair if it is to port, and a point in the middle if it is not on the plane of
+/// symmetry.
 void check_side(const Point& point, formats::TableReader& table) {
   const double y = (*point.at)[1];
   if (point.stands == Standing::pair && y < 0)

@@ -22,8 +22,8 @@ class StageReader {
   StageReader(formats::TableReader table, const Rope& warp)
       : table_(std::move(table)), warp_(warp), before_(warp.winch.empty() ? nullptr : &warp.winch.back()) {}
 
-  /// The stage that the table describes. The stage has no rows after an error, or if the table gives no
-  /// tension of its own and the winch holds that of the warp.
+  /// The stage that the table describes. The stage has no rows after an error, or if the winch holds the
+  /// tension of the warp and the table gives no other.
   WinchStage read() {
     if (before_ && !table_.has("t"))
       table_.error("t", "is missing: it is the time at which this table replaces the one before");
@@ -72,8 +72,8 @@ class StageReader {
       stage_.rows.push_back({t[i], values[i] - less});
   }
 
-  /// Reads one tension, or a row of tensions beside `t`. The first table must begin with the tension of the
-  /// warp, if the warp has one.
+  /// Reads one tension, or a row of tensions for the times `t`. The first table must begin with the tension
+  /// of the warp, if the warp has one.
   void read_tension() {
     if (table_.has("t"))
       read_column_of("tension", "N", kOfBlock, kTensions);
@@ -155,7 +155,7 @@ class StageReader {
 
   formats::TableReader table_;
   const Rope& warp_;
-  const WinchStage* before_;  // the stage of the previous table; nullptr for the first table
+  const WinchStage* before_;  // the stage of the previous table; nullptr in the first table
   WinchStage stage_;
 };
 

@@ -9,8 +9,8 @@ namespace netloft::gears {
 namespace {
 
 // A selvedge is a strip of n meshes gathered into a seam. Stretched, it has 2n twines side by side, because a
-// mesh is two bars long and consists of four bars. All twines carry load, except in square netting, where
-// half of them run across. The netting may have t twines side by side instead of one; d, m, EA are diameter,
+// mesh is two bars long and consists of four bars. All twines carry load, except that in square netting half
+// of the twines run across. The netting may have t twines side by side instead of one; d, m, EA are diameter,
 // mass and stiffness of one twine. The strip has the mass of k twines and the stiffness of e twines:
 //   k = 2 n t,   e = k, for square netting k/2                                              (1)
 //   d_strip = √k d,  m_strip = k m,  EA_strip = e EA                                          (2)
@@ -37,7 +37,7 @@ formats::Value strip_of(const Panel& panel, const Bundle& bundle, formats::Diagn
   return strip;
 }
 
-/// Whether the name of a strip is already in use. An edge that is sewn twice has its strip already;
+/// Whether the name of a strip is already in use. If an edge is sewn twice, it has a strip already;
 /// check_plan() reports such an edge.
 bool is_taken(const NetPlan& plan, const std::string& name, const Join& join,
               formats::Diagnostics& diagnostics) {
@@ -50,8 +50,8 @@ bool is_taken(const NetPlan& plan, const std::string& name, const Join& join,
   return rope || is_written;
 }
 
-/// Adds a rope along an edge. It is as long as the straight twines of the edge, and slack until they are
-/// straight.
+/// Adds a rope along an edge. The rope is as long as the straight twines of the edge, and slack until these
+/// are straight.
 void add_strip(NetPlan& plan, const EdgeSet& set, const OutlineEdge& edge, const Join& join,
                formats::Diagnostics& diagnostics) {
   const Panel& panel = *set.panel;

@@ -39,7 +39,8 @@ SideEnds side_ends(const Outline& outline) {
 }
 
 /// Converts a point at x meshes across, at the fraction t of the depth, to a fraction across the panel: 0 on
-/// the inner side, 1 on the outer side. Both sides are taken as straight; where they meet, the result is 0.
+/// the inner side, 1 on the outer side. Both sides are taken as straight. At a point where they meet, the
+/// result is 0.
 double fraction_across(const SideEnds& ends, double x, double t) {
   const double inner = between(ends.fore_inner, ends.aft_inner, t),
                outer = between(ends.fore_outer, ends.aft_outer, t);

@@ -9,11 +9,11 @@ namespace netloft::gears {
 
 /// Reads the column `t` of a table [s], whose times begin at zero and increase.
 std::vector<double> read_times(formats::TableReader& table);
-/// Reads the times of a table that replaces an earlier table at t[0]; a single time is enough.
+/// Reads the times of a table that replaces an earlier table from t[0] on. A single time is enough.
 std::vector<double> read_later_times(formats::TableReader& table);
 
-/// Reads a column over the times. It must begin with `start`, which is also its value if the column is
-/// missing; `why` explains this value in messages.
+/// Reads a column over the times. The column must begin with `start`; if it is missing, its value is `start`
+/// at all times. `why` explains `start` in messages.
 std::vector<double> read_column(formats::TableReader& table, const std::string& key,
                                 const formats::RealsSpec& spec, double start, const std::string& why);
 

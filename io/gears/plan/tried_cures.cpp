@@ -24,7 +24,7 @@ namespace {
 using formats::Cure;
 using formats::Diagnostic;
 
-/// A message without its numbers, which stays the same while values change.
+/// A message without its numbers, by which a message is recognised after values have changed.
 std::string kind_of(const Diagnostic& message) {
   std::istringstream words(message.message);
   std::string kind;
@@ -41,7 +41,7 @@ struct Findings {
   std::vector<Diagnostic> messages;
   int errors = 0;
 
-  /// Number of messages of a kind; of those, number of errors.
+  /// Number of messages of a kind; number of errors among them.
   int count(const std::string& kind) const { return at(kinds_, kind); }
   int count_errors(const std::string& kind) const { return at(kinds_of_errors_, kind); }
 
@@ -97,7 +97,7 @@ std::string spelled_in_file(const formats::Value& value) {
 
 std::string path_in(const std::string& change) { return formats::read_change(change).path; }
 
-/// "panels.bag.aft = 20 and then panels.bag.fore = 20".
+/// Such as "panels.bag.aft = 20 and then panels.bag.fore = 20".
 std::string sentence_of(const Cure& cure) {
   std::string text;
   for (const auto& one : cure.changes) {
@@ -107,7 +107,8 @@ std::string sentence_of(const Cure& cure) {
   return text + (cure.note.empty() ? "" : ", " + cure.note);
 }
 
-/// Tries the proposals for all messages about one plan. Each is tried once, and may help several messages.
+/// Tries the proposals for all messages about one plan. Each proposal is tried once, and may remove several
+/// messages.
 class CureTrials {
  public:
   CureTrials(const formats::Value& root, const Catalogue& catalogue, const formats::Diagnostics& said,
@@ -123,7 +124,7 @@ class CureTrials {
     for (const Cure& cure : all_) after(cure.changes);
   }
 
-  /// The message with the hint that the trials result in.
+  /// The message with the hint that follows from the trials.
   Diagnostic cured(Diagnostic message) {
     std::vector<Trial> trials = helping(message);
     message.cures.clear();
@@ -146,7 +147,8 @@ class CureTrials {
     NetPlan plan = read_plan(root, catalogue_, said);
     const bool was_read = said.errors() == 0;
     if (was_read) check_plan(plan, said);
-    if (was_read && said.errors()) {  // the check has left these steps out; their messages are not new later
+    if (was_read && said.errors()) {  // after these errors, some checks were not made, so that their messages
+                                      // are not new later
       check_loose_ropes(plan, {}, said);
       check_open_edges(plan, said);
     }
@@ -165,7 +167,7 @@ class CureTrials {
     return &tried_.emplace(changes, check(changes)).first->second;
   }
 
-  /// Tries a proposal; nullopt if the message stays, or if no more trials are allowed.
+  /// Tries a proposal. nullopt if it does not remove the message, or if no more trials are allowed.
   std::optional<Trial> attempt(const Cure& cure, const Diagnostic& message) {
     const Findings* findings = after(cure.changes);
     const std::string kind = kind_of(message);
@@ -184,7 +186,7 @@ class CureTrials {
             findings.count_errors(kind) > before_.count_errors(kind));
   }
 
-  /// The proposals that remove a message, its own ones first.
+  /// The proposals that remove a message; its own proposals come first.
   std::vector<Trial> helping(const Diagnostic& message) {
     std::vector<Trial> trials;
     for (const Cures* cures : {&message.cures, &std::as_const(all_)})
@@ -197,7 +199,8 @@ class CureTrials {
     return trials;
   }
 
-  /// Completes the best of the proposals by the values that they need; nullopt if that is impossible.
+  /// Completes the best of the proposals by further values, which remove the messages that it causes; nullopt
+  /// if that is impossible.
   std::optional<Trial> complete(const Diagnostic& message, const std::vector<Trial>& trials) {
     constexpr std::size_t kMostCompleted = 4;
     for (std::size_t i = 0; i < std::min(kMostCompleted, trials.size()); ++i)
@@ -227,7 +230,7 @@ class CureTrials {
     });
   }
 
-  /// The best proposals, one for each key, if they are equally good: "aft = 20, or depth = 50".
+  /// The best proposals, one for each key, if they are equally good, such as "aft = 20, or depth = 50".
   std::string choice_of(const std::vector<Trial>& trials) const {
     std::string text;
     std::vector<std::string> paths;

@@ -9,15 +9,16 @@ namespace netloft::gears {
 struct CureLimits {
   std::size_t most = 400;           // trials for all messages of a plan
   std::size_t least = 5;            // trials of a plan of any size
-  std::size_t part_trials = 40000;  // trials times the parts of the plan
-  std::size_t alternatives = 3;     // proposals that a hint may offer to choose from
-  std::size_t steps = 3;            // values that a proposal may change one after another
+  std::size_t part_trials = 40000;  // limit of the number of trials times the number of parts of the plan
+  std::size_t alternatives = 3;     // alternatives that a hint may offer
+  std::size_t steps = 3;            // number of values that a proposal may change one after another
 };
 
 /// Tries the proposals (Diagnostic::cures) of all messages about a plan: applies each to a copy of `root`,
-/// the tables that the plan was read from, and reads and checks the copy. A hint then begins with the values
-/// after which the message disappears and no other appears; or else with values that need others, and with
-/// those; or else with values and with what is still wrong after them. Accepted warnings need no proposals.
+/// the tables that the plan was read from, and reads and checks the copy. A hint then begins with values with
+/// which the message disappears and no other appears. If there are none, it begins with values and the
+/// further values that these require, or with values and the errors that remain. Accepted warnings need no
+/// proposals.
 void try_cures(const formats::Value& root, const Catalogue& catalogue, formats::Diagnostics& diagnostics,
                const CureLimits& limits = {});
 

@@ -25,7 +25,7 @@ inline std::array<double, 2> twine_coordinates(const std::string& orientation, d
 /// Length of the twines between two points of a panel when all twines are pulled straight, in stretched
 /// meshes of two bars:
 ///   s = (|Δu| + |Δv|)/2                                                                          (3)
-/// Along a cutting, s is the length of its bars, points and meshes (cutting.hpp).
+/// Along a cutting, s is the total length of its bars, points and meshes (cutting.hpp).
 inline double stretched_meshes(const std::array<double, 2>& from_to) {
   return (std::abs(from_to[0]) + std::abs(from_to[1])) / 2;
 }

@@ -10,13 +10,13 @@ namespace netloft::pictures {
 using Colour = std::array<float, 3>;
 
 /// Viridis (S. van der Walt and N. Smith, matplotlib, CC0) from 0 to 1. Its brightness rises evenly, so that
-/// colour-blind readers and grey prints can use it.
+/// it is also suitable for colour-blind readers and for grey prints.
 Colour colour_at(double place);
 /// The evenly spaced colours between which colour_at() interpolates. Pages receive them as data.
 const std::array<Colour, 9>& colour_stops();
 
-/// One of eight colours that colour-blind readers can distinguish (M. Okabe and K. Ito, 2008); the colours
-/// repeat after eight parts.
+/// One of eight colours that colour-blind readers can distinguish (M. Okabe and K. Ito, 2008); from the ninth
+/// part on, colours repeat.
 Colour colour_of_part(std::uint32_t part);
 const std::array<Colour, 8>& part_colours();
 

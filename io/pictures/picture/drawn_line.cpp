@@ -8,7 +8,7 @@ namespace netloft::pictures {
 
 void draw_line(const StraightLine& line, Image& image) {
   const double dx = line.x1 - line.x0, dy = line.y1 - line.y0, square = dx * dx + dy * dy;
-  const double around = line.width / 2 + 1;  // pixels farther from the line are not covered
+  const double around = line.width / 2 + 1;  // half width of the band of pixels that the line may touch
   const auto pixel = [](double x, std::size_t most) {
     return static_cast<std::size_t>(std::clamp(x, 0.0, static_cast<double>(most)));
   };

@@ -10,7 +10,7 @@ namespace netloft::pictures {
 double text_width(const std::string& text, double size);
 
 /// Writes a text in Noto Sans (letters/) into a pixel image, with its base line beginning at (x, y).
-/// Characters that the font lacks appear as its symbol for a missing one.
+/// Characters that the font lacks appear as its symbol for missing characters.
 void write_text(Image& image, double x, double y, const std::string& text, double size, const Colour& colour);
 
 }  // namespace netloft::pictures

@@ -17,9 +17,9 @@ constexpr double kLeastTwine = 0.5;  // least half width [pixels]
 constexpr double kLeastRope = 1.3;
 constexpr double kLeastBall = 3.2;
 constexpr double kFill = 0.32;  // opacity of netting between the drawn twines
-// Ropes and floats are drawn this much nearer to the eye than the netting [m]
+// Distance by which ropes and floats are drawn nearer to the eye than the netting [m].
 constexpr double kNearer = 0.05;
-constexpr double kInside = 0.02;  // the catch is drawn this much behind the netting [m]
+constexpr double kInside = 0.02;  // distance by which the catch is drawn behind the netting [m]
 
 Colour scaled(const Colour& colour, double by) {
   const auto f = static_cast<float>(by);
@@ -41,9 +41,9 @@ struct Plane {
   double slope() const { return std::hypot(dx, dy); }
 };
 
-/// The fraction of a pixel that is covered by twines at whole numbers of `u`; `slope` is the change of u per
-/// pixel. If twines are too close, only every second, fourth … is drawn; the twines that will be omitted next
-/// fade out.
+/// The fraction of a pixel that twines cover. Twines lie at whole numbers of `u`; `slope` is the change of u
+/// per pixel. If twines are too close, only every second, fourth … twine is drawn; those that are about to be
+/// omitted fade out.
 double twine_cover(double u, double slope, double half_width) {
   const double per_pixel = std::max(slope, 1e-9), level = std::max(0.0, std::log2(per_pixel * kCloseness));
   const double spacing = std::exp2(std::floor(level)), n = std::round(u / spacing);
@@ -51,13 +51,13 @@ double twine_cover(double u, double slope, double half_width) {
   return fade * std::clamp(half_width + 0.5 - std::abs(u - spacing * n) / per_pixel, 0.0, 1.0);
 }
 
-/// A side on the boundary of a part: only one triangle of the part has this side.
+/// A side on the boundary of a part, which belongs to only one triangle of the part.
 struct Side {
   std::array<std::uint32_t, 2> nodes;
   std::uint32_t cell;
 };
 
-/// The outlines of the panels, which stay visible even where gathered netting has no area.
+/// The outlines of the panels, which stay visible even if gathered netting has no area.
 std::vector<Side> outline_of(const results::StoredMesh& mesh) {
   std::map<std::array<std::uint32_t, 3>, std::pair<Side, int>> sides;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -318,7 +318,8 @@ void add_samples(const Canvas& canvas, const Colour& ground, std::vector<Colour>
 
 Image paint(const GearShape& shape, const Projection& projection, std::size_t width, std::size_t height,
             const Colour& ground) {
-  // No two of these eight samples of a pixel share a row or a column, as rooks on a chessboard.
+  // No two of these eight samples of a pixel are in the same row or column, like rooks on a chessboard that
+  // do not attack each other.
   constexpr std::array<std::array<double, 2>, 8> kSamples = {{{0.0625, 0.4375},
                                                               {0.1875, 0.8125},
                                                               {0.3125, 0.1875},

@@ -32,7 +32,8 @@ struct GearShape {
   }
   /// The colour of a rigid body.
   Colour colour_of_plate(const results::BodyPlate& plate) const;
-  /// Whether the picture shows single nodes in contact with the bed: only if no other cell has the field.
+  /// Whether the picture shows single nodes in contact with the bed. It does only if no other cells have the
+  /// field.
   bool shows_contacts() const;
 
  private:
@@ -49,7 +50,7 @@ struct Colouring {
 /// Throws std::invalid_argument with a sentence for a field that the result does not have.
 GearShape shape_of(const results::StoredShape& stored, std::size_t state, const Colouring& colouring);
 
-/// The parts that a picture is sized for: the netting; the netting, boards and other bodies; or all parts,
+/// The parts that must fit in a picture: the netting; the netting, boards and other bodies; or all parts,
 /// with bridles, warps and ship.
 enum class Framing { netting, boards, all };
 

@@ -19,11 +19,11 @@ using Json = nlohmann::ordered_json;
 
 // Codes of glTF 2.0 (and of OpenGL).
 enum Mode { kPoints = 0, kLines = 1, kTriangles = 4 };
-// Least half width of twines in a texture [meshes]; thinner ones are invisible
+// Least half width of twines in a texture [meshes]; thinner twines would be invisible
 constexpr double kLeastTextureTwine = 0.03;
 constexpr int kFloat = 5126, kArrayBuffer = 34962, kLinear = 9729, kLinearMipmapLinear = 9987;
 
-/// Converts a colour component from sRGB (IEC 61966-2-1) to linear, which glTF uses for vertices.
+/// Converts a colour component from sRGB (IEC 61966-2-1) to a linear scale, which glTF uses for vertices.
 float linear(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
 
 /// The vertices of one part in one of glTF's modes (triangles, lines, points): positions and colours, and for
@@ -45,7 +45,7 @@ struct Vertices {
 
 using Primitives = std::map<std::pair<std::uint32_t, Mode>, Vertices>;
 
-/// The index of the ship, which follows those of the parts because a ship is not a part of the gear.
+/// The index of the ship. It is not a part of the gear, and its index follows those of the parts.
 std::uint32_t ship_of(const GearShape& shape) {
   return static_cast<std::uint32_t>(shape.stored->parts.size());
 }
@@ -98,7 +98,7 @@ class GltfWriter {
     };
     group(shape_.stored->result.is_half() ? "starboard" : "gear", 1);
     if (shape_.stored->result.is_half()) add_mirrored(children.size(), nodes, halves);
-    // rotates the z axis, which points up, onto the y axis of glTF
+    // Rotates the z axis, which points up, onto the y axis of glTF.
     nodes.push_back({{"name", shape_.stored->result.title},
                      {"rotation", {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}},
                      {"children", halves}});
@@ -134,8 +134,8 @@ class GltfWriter {
             {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 1.0}}}};
   }
 
-  /// The material that shows the twines of a part's netting, or the plain material if the directions of the
-  /// twines are not known. Parts of the same netting share a material.
+  /// The material that shows the twines of a part. If the directions of the twines are not known, it is the
+  /// plain material. Parts of the same netting share a material.
   std::size_t material_of_netting(std::uint32_t part) {
     const results::StoredPart& p = shape_.stored->parts[part];
     const double half_width = std::isfinite(p.diameter / p.bar) ? p.diameter / p.bar / 2 : 0;

@@ -10,16 +10,16 @@ namespace netloft::pictures {
 namespace {
 
 constexpr double kOff = 6;  // distance from the line, and from the edges of the picture [pixels]
-// Distances of labels that stand apart from their line [pixels].
+// Distances of a label that is not directly beside its line [pixels].
 constexpr std::array kFarOff = {26.0, 50.0, 80.0, 120.0, 170.0};
 
-// The costs of a place, compared with a hidden pixel of the drawing. A label is about 2000 pixels large.
+// The costs of a place; a hidden pixel of the drawing costs 1. A label has about 2000 pixels.
 constexpr double kOnLabel = 20;     // a pixel of another label
 constexpr double kOnLine = 60;      // a pixel of the length of a line that runs through the label
 constexpr double kCrossing = 200;   // a line that the leader crosses
-constexpr double kAlong = 300;      // a leader that looks like a part of its line
+constexpr double kAlong = 300;      // a leader that looks like a continuation of its line
 constexpr double kPerPixel = 4;     // a pixel of distance from the line
-constexpr double kOffMiddle = 60;   // the distance from the middle of the line, over its length
+constexpr double kOffMiddle = 60;   // the distance from the middle of the line, as a fraction of its length
 constexpr double kLeastApart = 60;  // a leader, however short
 
 /// The overlap of two labels [pixels²]. Each label has a margin, because labels that nearly touch look like

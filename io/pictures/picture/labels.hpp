@@ -20,7 +20,7 @@ struct LabelPlace {
   Point3 point;
   bool is_apart = false;
 
-  /// The point of the frame that is nearest to the line's point, where a leader begins.
+  /// The point of the frame that is nearest to the point of the line. A leader begins there.
   Point3 start_of_leader() const;
 };
 
@@ -29,8 +29,8 @@ using Cover = std::function<double(const Frame&)>;
 
 /// Places of the labels beside lines, `size` high, in the order of the lines. Each label is tried at seven
 /// positions along its line, on four sides and at several distances, and is moved into `picture` if it would
-/// cross the edge. It gets the place where it hides least: earlier labels, lines, leaders, and what `cover`
-/// reports.
+/// cross the edge. It gets the place where it hides as little as possible of earlier labels, lines, leaders,
+/// and the drawing (`cover`).
 std::vector<LabelPlace> place_labels(const std::vector<LabelledLine>& lines, double size,
                                      const Frame& picture, const Cover& cover = {});
 

@@ -48,7 +48,8 @@ std::pair<std::size_t, int> longest_side(Box box) {
   return longest;
 }
 
-/// The index at which to cut a box: about half of the pixels are on either side, and neither side is empty.
+/// The index at which to cut a box, such that about half of the pixels are on either side and neither side is
+/// empty.
 std::size_t median_of(Box box) {
   const std::size_t half = pixels_in(box) / 2;
   std::size_t sum = 0, at = 0;

@@ -5,7 +5,7 @@
 namespace netloft::pictures {
 
 /// The legend of a picture whose colours show parts: each colour with the names of its parts, in rows.
-/// Colours repeat after eight parts, so that a colour may have several names.
+/// Because colours repeat after eight parts, a colour may have several names.
 class PartLegend {
  public:
   /// The legend of a shape in rows of `width` pixels; it has no rows if a field is shown.
@@ -21,7 +21,7 @@ class PartLegend {
     double x;
     std::size_t row;
     std::string text;
-    std::optional<Colour> colour;  // a square before the text; only the first name of a colour has it
+    std::optional<Colour> colour;  // a square before the text; empty for further names of the same colour
   };
 
   void add(const Colour& colour, const std::vector<std::string>& names);

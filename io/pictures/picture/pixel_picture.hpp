@@ -8,7 +8,7 @@
 
 namespace netloft::pictures {
 
-/// A drawing as a PNG file. It keeps lines and texts until it knows its size, and draws texts over lines.
+/// A drawing as a PNG file. Lines and texts are stored until the size is known; texts are drawn over lines.
 class PixelPicture : public formats::LineDrawing {
  public:
   void line(formats::PicturePoint from, formats::PicturePoint to, const char* colour, double width) override;

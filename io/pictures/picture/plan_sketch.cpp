@@ -19,7 +19,7 @@ constexpr const char *kInk = "#222", *kPale = "#555";
 using Grid = std::array<long, 2>;  // a position in tenths of millimetres, so that equal corners compare equal
 using GridSide = std::array<Grid, 2>;
 
-/// The sides of a panel's triangles, with the number of triangles at each.
+/// The sides of a panel's triangles, with the number of triangles that have each side.
 using GridSides = std::map<GridSide, int>;
 
 Grid grid_of(const scenes::SheetPlace& s, double U, double V) {

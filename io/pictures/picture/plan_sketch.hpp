@@ -6,8 +6,8 @@
 
 namespace netloft::pictures {
 
-/// The outlines and names of the panels in their places on the plan, as SVG; only the modelled half of a half
-/// model. An empty text if the result does not say where the panels are on the plan.
+/// The outlines and names of the panels in their places on the plan, as SVG; in a half model, only the
+/// modelled half. An empty text if the result does not contain the places of panels on the plan.
 std::string plan_sketch(const results::StoredShape& stored);
 
 }  // namespace netloft::pictures

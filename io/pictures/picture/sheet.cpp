@@ -20,7 +20,8 @@ namespace {
 
 constexpr double kMargin = 16, kHead = 46, kFoot = 40, kTitleSize = 18;
 constexpr double kBesideTitle = 24,
-                 kBelowPicture = 8;  // least distances of title and legend, of picture and legend
+                 kBelowPicture = 8;  // least distances between title and legend, and between picture and
+                                     // legend
 // Limits of the height of the picture, relative to its width.
 constexpr double kLeastHeight = 0.16, kGreatestHeight = 0.64;
 
@@ -98,7 +99,7 @@ SheetLayout empty_layout(bool is_dark) {
   return layout;
 }
 
-/// Height of the picture that the points fill in a view, within limits [pixels].
+/// Height of a picture that the points fill in a view, within limits [pixels].
 double picture_height(View view, const std::vector<Point3>& points, double width) {
   const Projection projection = fit(view, points, {kMargin, 0, width - 2 * kMargin, 1e9});
   double low = INFINITY, high = -INFINITY;
@@ -117,7 +118,7 @@ Sheet compose(const results::StoredShape& stored, const SheetOptions& options) {
   sheet.layout = empty_layout(options.is_dark);
   sheet.width = static_cast<double>(options.width);
   const std::string title = title_of(stored, state, sheet.width - 2 * kMargin);
-  // Legends that have no room beside the title are below it.
+  // If legends have no room beside the title, they are placed below it.
   const bool is_narrow =
       text_width(title, kTitleSize) + kBesideTitle + legend_width(shape) > sheet.width - 2 * kMargin;
   const double legends = legend_height(shape);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kBarWidth = 260, kBarHeight = 11, kRow = 38, kBesideBar = 16, kAfterBar = 12,
                  kLegendTitle = 13;
-// Shorter dimension lines [pixels] are left out: they are nearly parallel to the line of sight.
+// Shorter dimension lines [pixels] are left out, because they are nearly parallel to the line of sight.
 constexpr double kLeastDimension = 24;
 
 /// Formats three significant digits, or all digits before the point of a larger number.
@@ -52,7 +52,7 @@ void add_ticks(const results::Scale& scale, double left, double top, SheetLayout
     layout.boxes.push_back({x - 0.5, top + kBarHeight, 1, 3, layout.ink});
     layout.words.push_back({x, top + kBarHeight + 15, three_digits(tick), 12, SheetLayout::Align::middle});
   }
-  // The sign < or > marks an end of the scale if some values lie beyond this end.
+  // The sign < or > at an end of the scale means that some values lie beyond this end.
   if (scale.is_cut_below)
     layout.words.push_back({left - 4, top + kBarHeight, "<", 12, SheetLayout::Align::right});
   if (scale.is_cut_above) layout.words.push_back({left + kBarWidth + 4, top + kBarHeight, ">", 12});
@@ -117,7 +117,7 @@ void add_arrow(const Point3& a, const Point3& b, SheetLayout& layout) {
                               tip[1] + sign * kHead * (uy + side * ux), 1.3, layout.ink});
 }
 
-/// Adds a thin line from a label to the point of the line that it belongs to.
+/// Adds a thin line from a label to the point of the line to which the label belongs.
 void add_leader(const LabelPlace& place, SheetLayout& layout) {
   constexpr double kDot = 4;
   const Point3 start = place.start_of_leader();
@@ -127,7 +127,8 @@ void add_leader(const LabelPlace& place, SheetLayout& layout) {
 
 /// The fraction of a frame in which the gear is painted.
 double painted_in(const Frame& frame, const Image& painted, double top, const Colour& ground) {
-  constexpr double kStep = 3, kSame = 0.02;  // distance of samples [pixels]; differences that nobody sees
+  constexpr double kStep = 3, kSame = 0.02;  // distance of samples [pixels]; difference of colours that is
+                                             // not visible
   double seen = 0, all = 0;
   for (double y = frame.top - top; y < frame.top - top + frame.height; y += kStep)
     for (double x = frame.left; x < frame.left + frame.width; x += kStep) {

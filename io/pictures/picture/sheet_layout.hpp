@@ -33,8 +33,8 @@ struct SheetLayout {
 /// Height and greatest width of the legends of a shape [pixels]; zero if there are none.
 double legend_height(const GearShape& shape);
 double legend_width(const GearShape& shape);
-/// Adds a colour bar with round values for each of netting, ropes and single nodes that has the field. The
-/// upper right corner is at (right, top).
+/// Adds colour bars with round values: one each for netting, ropes and single nodes, as far as they have the
+/// field. The upper right corner is at (right, top).
 void add_legends(const GearShape& shape, double right, double top, SheetLayout& layout);
 
 /// Adds a scale bar of a round number of metres with its left end at (x, y), at most `longest` long [pixels].
@@ -42,7 +42,7 @@ void add_scale_bar(double pixels_per_metre, double x, double y, double longest, 
 
 /// Adds dimension lines for the height and the spreads, each with its length. A line is left out unless both
 /// ends are inside the picture `painted`, which lies `top` pixels below the upper edge of the sheet. Lengths
-/// stand beside the gear where there is room.
+/// are written beside the gear if there is room.
 void add_dimensions(const GearShape& shape, const Projection& projection, const Image& painted, double top,
                     SheetLayout& layout);
 

@@ -12,8 +12,8 @@ namespace netloft::pictures {
 nlohmann::ordered_json packed(std::span<const double> values);
 nlohmann::ordered_json packed(std::span<const std::uint32_t> values);
 
-/// Number of binary digits kept of reals, more than a page shows: the other digits do not compress and would
-/// make up half of the page.
+/// Number of binary digits that are kept of reals, more than a page shows. All digits together would double
+/// the size of a page, because the last ones do not compress.
 inline constexpr int kShownBits = 15;
 float rounded_to_shown(double value);
 nlohmann::ordered_json packed_as_shown(std::span<const double> values);

@@ -30,7 +30,7 @@ std::string name_of_file(const results::Result& result) {
   return std::filesystem::path(result.path).filename().string();
 }
 
-// [pixels]; at this width pages of any gear stay below 2 MB
+// Width of pictures [pixels]. At this width, the page of any gear is smaller than 2 MB.
 constexpr std::size_t kPictureWidth = 800;
 
 /// A warning at the top of a page that the shape is not an equilibrium.
@@ -59,8 +59,8 @@ std::string rig_html(const results::StoredShape& shape) {
              : "";
 }
 
-/// Views from the side, from above and from the front, and the plan, for readers without scripts and for
-/// print.
+/// Views from the side, from above and from the front, and the plan, for browsers without scripts and for
+/// printing.
 std::string pictures_html(const results::StoredShape& shape) {
   std::string html = "<section id=\"pictures\" aria-label=\"Pictures\">\n";
   for (const auto& [view, words] :

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The fixed parts of a page as texts in the program, and the policy that lets a browser run these scripts and no others.
+# Makes the fixed parts of a page texts in the program, and the policy with which a browser runs only these
+# scripts.
 set(classes dom numbers decode cells scale camera shaders geometry model ground places fields picking solids dimensions selection legend plan frames curves parts
     input controls viewer)
 
-# in_base64(OUT HEX): what a Content-Security-Policy wants of a checksum that CMake gives in hexadecimal.
+# in_base64(OUT HEX) converts a hexadecimal checksum of CMake to base64 for a Content-Security-Policy.
 function(in_base64 out hex)
   set(digits ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/)
   set(text "")

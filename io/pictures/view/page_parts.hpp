@@ -3,14 +3,14 @@
 
 namespace netloft::pictures {
 
-// The parts of a page that are the same for all results, made from page/ and libraries/ by CMakeLists.txt.
+// The parts of a page that are the same for all results. CMakeLists.txt makes them from page/ and libraries/.
 extern const char* const kPageLibraries;  // three.js and uPlot
-extern const char* const kPageClasses;    // the scripts of page/ but the last one
-extern const char* const kPageStart;      // the script that shows results of a page
+extern const char* const kPageClasses;    // the scripts of page/ except the last one
+extern const char* const kPageStart;      // the script that shows the results of a page
 extern const char* const kPageStyle;
 extern const char* const kPageBody;  // the elements of the viewer
 extern const char* const
-    kPagePolicy;  // the Content-Security-Policy: these two scripts and this style, no network
+    kPagePolicy;  // the Content-Security-Policy: only these two scripts and this style, no network
 extern const char* const kPageQuietPolicy;  // the policy of a page without scripts
 
 }  // namespace netloft::pictures

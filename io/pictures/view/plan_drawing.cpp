@@ -14,7 +14,7 @@ namespace netloft::pictures {
 
 namespace {
 
-/// The catalogue of a result: its files but those of the scene itself.
+/// The catalogue of a result: its files except those of the scene itself.
 gears::Catalogue catalogue_of(const results::Origins& origins, const std::set<std::string>& of_scene,
                               formats::Diagnostics& diagnostics) {
   std::vector<formats::SourceFile> files;

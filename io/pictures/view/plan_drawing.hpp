@@ -6,8 +6,8 @@
 
 namespace netloft::pictures {
 
-/// The net plan of a result as SVG, drawn like that of `netloft draw` from the texts that the result has of
-/// its scene and catalogue. No file is opened. Empty without a plan, or if the plan in these texts has
+/// The net plan of a result as SVG, like that of `netloft draw`. It is drawn from the texts of the scene and
+/// the catalogue that the result contains; no file is opened. Empty if there is no plan, or if the plan has
 /// errors.
 std::string plan_drawing(const results::Result& result);
 

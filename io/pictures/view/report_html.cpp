@@ -52,7 +52,7 @@ class HtmlTable {
     html_ += "<td class=\"number\">" + in_html(text) + "</td>";
     return *this;
   }
-  /// A fraction as a bar with its percentage; `of` is the name of the loaded item.
+  /// A fraction as a bar with its percentage; `of` is the name of the item that bears the load.
   HtmlTable& share(double share, const std::string& of) {
     if (!std::isfinite(share)) return value("–");
     const std::string percent = number(100 * share, "{:.0f}");
@@ -164,7 +164,8 @@ std::string convergence_html(const results::Result& result) {
          "</details>\n";
 }
 
-/// A path as written; of an absolute path, which tells about one machine only, the file and its folder.
+/// A path as written. An absolute path, which means something on one machine only, is reduced to the file and
+/// its folder.
 std::string shown_path(const std::string& path) {
   const std::filesystem::path full = path;
   return full.is_absolute() ? (full.parent_path().filename() / full.filename()).string() : path;
@@ -186,7 +187,7 @@ std::string origins_html(const results::Result& result) {
   return html + (o.plan.empty() ? "" : folded("What was evaluated, and why", o.plan));
 }
 
-/// All numbers that changed, by the names that they have in the files.
+/// All numbers that changed, with the names that they have in the files.
 std::string numbers_html(const std::vector<results::NumberDifference>& numbers) {
   HtmlTable table({"quantity", "before", "after", "difference", "", "error", ""});
   for (const auto& d : numbers) {

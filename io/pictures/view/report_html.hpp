@@ -10,10 +10,11 @@ namespace netloft::pictures {
 
 /// Outcome, notes and warnings.
 std::string summary_html(const results::Result& result);
-/// The panels to cut, then the bill of materials with loads against breaking loads; empty without a plan.
+/// The panels to cut, then the bill of materials, which compares loads with breaking loads. Empty if there is
+/// no plan.
 std::string materials_html(const results::Result& result);
 
-/// The tables of boards and warps, which a skipper reads first.
+/// The tables of boards and warps, which skippers read first.
 std::string deck_html(const results::Result& result);
 /// All figures with their errors, tables by part, convergence, and the origins of the result.
 std::string details_html(const results::Result& result);

@@ -93,7 +93,7 @@ void put_mesh(const results::StoredMesh& mesh, Json& json) {
 using Origin = std::array<double, 3>;
 
 /// Positions relative to the origin, rounded to multiples of a power of two below a millionth of the gear's
-/// size, because further digits do not compress.
+/// size, because more digits would not compress.
 std::vector<double> shifted(std::vector<double> points, const Origin& origin) {
   double size = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -143,7 +143,7 @@ void put_solids(const results::StoredShape& stored, std::size_t state, const Ori
   json["hulls"] = packed_corners(hulls, origin);
 }
 
-/// For each triangle of a board, the index of the board among the elements on single nodes.
+/// For each triangle of a board: the index of the board among the elements on single nodes.
 Json plate_dots(const results::StoredShape& stored) {
   std::vector<std::uint32_t> dots;
   for (const auto& plate : results::plates_of(stored, stored.times.size() - 1))

@@ -7,9 +7,9 @@
 
 namespace netloft::pictures {
 
-/// The numbers of results for the page's scripts: JSON without '<', so that no text can close the surrounding
-/// element. If a motion has more than `most_states` states, only `most_states` of them, evenly spaced, are
-/// included.
+/// The numbers of results for the scripts of the page, as JSON. It contains no '<', so that no text can close
+/// the surrounding element. If a motion has more than `most_states` states, only `most_states` of them,
+/// evenly spaced, are included.
 std::string results_json(const std::vector<const results::StoredShape*>& results, std::size_t most_states);
 
 /// The indices of the included states of a result, in order.

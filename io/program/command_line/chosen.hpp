@@ -24,7 +24,8 @@ struct Command {
   Options& options;
 };
 
-/// Adds a command that calls `run` with its options. `check` may first reject options with a UsageError.
+/// Adds a command that calls `run` with its options. `check` is called first and may throw a UsageError about
+/// options.
 template <class Options>
 Command<Options> add_command(CLI::App& parent, Chosen& chosen, const char* name, const char* doc,
                              int (*run)(const Options&),
@@ -40,8 +41,8 @@ Command<Options> add_command(CLI::App& parent, Chosen& chosen, const char* name,
   return {*app, *options};
 }
 
-/// Throws UsageError if an option is given that belongs neither to `groups` nor to the general group. Groups
-/// are named by their purpose ("For a result"), and `why` is the reason: "a.toml is a net plan".
+/// Throws UsageError if a given option belongs neither to `groups` nor to the general group. Groups have
+/// names such as "For a result"; `why` is the reason, such as "a.toml is a net plan".
 void require_group(const CLI::App& command, const std::vector<std::string>& groups, const std::string& why);
 
 // The commands, in the groups of `netloft --help`.

@@ -27,7 +27,8 @@ void add_group(CLI::App& app, Chosen& chosen, const char* heading, AddCommands a
 
 namespace {
 
-/// Adds options that print what the installation lays down beside the program. They are not in the help.
+/// Adds options that print the manual page and the completions, which the installation stores. The help does
+/// not list them.
 void add_documents(CLI::App& app) {
   app.add_flag_callback("--manual", [&app] { throw CLI::CallForVersion(manual_page(app), 0); })->group("");
   const auto print_for = [&app](const std::string& shell) {

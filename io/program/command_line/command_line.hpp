@@ -11,14 +11,14 @@ namespace netloft::program {
 /// Adds all commands with their options, in groups. Parsing sets `chosen.run`.
 void add_commands(CLI::App& app, Chosen& chosen);
 
-/// A sentence that the program has no command of this name, with the most similar command. The name is the
-/// first word, or for actions of `study` the second word; `before` is then "study ". Empty if the command is
-/// known.
+/// A sentence that there is no command of this name, with the most similar command; empty if the command is
+/// known. The name is the first word; for actions of `study`, it is the second word, and `before` is "study
+/// ".
 std::string unknown_command(const CLI::App& app, std::span<const std::string> words,
                             const std::string& before = "");
 
-/// A sentence about the first unknown option on a command line that cannot be read. It names the most similar
-/// option, or a command that has this option. Empty if all options are known.
+/// A sentence about the first unknown option on a command line, with the most similar option or a command
+/// that has this option. Empty if all options are known.
 std::string unknown_option(const CLI::App& app);
 
 }  // namespace netloft::program

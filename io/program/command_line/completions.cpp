@@ -11,7 +11,7 @@ namespace netloft::program {
 
 namespace {
 
-/// Calls visit(command) for the program and for each of its commands, those of commands included.
+/// Calls visit(command) for the program, for each of its commands, and for the commands of these.
 template <class Visit>
 void for_commands(const CLI::App& app, Visit&& visit) {
   visit(app);
@@ -140,7 +140,8 @@ std::string zsh_name(const CLI::App& command) {
   return name;
 }
 
-/// A function of zsh for a command. That of a command with commands hands over to theirs.
+/// A function of zsh for a command. If the command has commands of its own, the function calls the functions
+/// of these.
 std::string zsh_function(const CLI::App& command) {
   std::string specs, commands;
   for (const OptionRow& row : rows_of(command)) specs += " \\\n    " + zsh_row(row);

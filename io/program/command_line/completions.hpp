@@ -6,8 +6,8 @@
 
 namespace netloft::program {
 
-/// Scripts with which a shell completes commands, options, values that are one of a few words, and files by
-/// their endings. They are made from the table of commands.
+/// Scripts, made from the table of commands, with which a shell completes commands, options, values that are
+/// one of a few words, and files by their endings.
 std::string bash_completion(const CLI::App& app);
 std::string zsh_completion(const CLI::App& app);
 

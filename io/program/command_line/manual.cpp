@@ -9,7 +9,7 @@ namespace netloft::program {
 
 namespace {
 
-/// A text in which man(7) finds no commands of its own.
+/// Escapes a text, so that man(7) does not read any of it as a command.
 std::string plain(const std::string& text) {
   std::string safe = text.starts_with('.') || text.starts_with('\'') ? "\\&" : "";
   for (const char c : text) safe += c == '\\' ? "\\e" : c == '-' ? "\\-" : std::string(1, c);

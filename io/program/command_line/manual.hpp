@@ -6,7 +6,7 @@
 
 namespace netloft::program {
 
-/// The manual page of the program in the language of man(7), made from its table of commands.
+/// The manual page of the program in the format man(7), made from the table of commands.
 std::string manual_page(const CLI::App& app);
 
 }  // namespace netloft::program

@@ -21,11 +21,11 @@ struct OptionRow {
   bool is_any_file = false, is_folder = false;
 };
 
-/// The visible options and arguments of a command, in the order of its help. What is both an option and an
-/// argument has two rows.
+/// The visible options and arguments of a command, in the order of its help. If an option is also an
+/// argument, it has two rows.
 std::vector<OptionRow> rows_of(const CLI::App& command);
 
-/// The name of a command with those of its parents: "netloft study run".
+/// The name of a command, with the names of its parents: "netloft study run".
 std::string full_name(const CLI::App& command);
 
 }  // namespace netloft::program

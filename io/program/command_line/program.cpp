@@ -78,8 +78,8 @@ int read_and_work(CLI::App& app, int argc, char** argv, const std::function<int(
   return guarded(json, work);
 }
 
-/// Opens closed standard streams on /dev/null, because a file opened later would otherwise take the number of
-/// a stream and receive its output. Ignores SIGXFSZ, because a limit on file sizes would otherwise end the
+/// Opens closed standard streams on /dev/null. Otherwise, a file opened later would get the number of a
+/// stream and receive its output. Ignores SIGXFSZ, because a limit on file sizes would otherwise end the
 /// program without a message.
 void guard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
@@ -87,7 +87,7 @@ void guard_streams() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-/// Returns the exit code: a failure to print the answer is an error.
+/// Returns the exit code; it is an error if the answer could not be printed.
 int after_printing(int code) {
   if (std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout.flush()) return code;
   print_error(std::string("netloft: standard output cannot be written: ") + std::strerror(errno));

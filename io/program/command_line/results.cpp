@@ -26,7 +26,8 @@ void add_report_command(CLI::App& app, Chosen& chosen) {
       ->excludes(csv);
 }
 
-/// Rejects options for another file format: the extension of the output selects the group of options.
+/// Rejects options for another file format. The file extension of the output determines which group of
+/// options is allowed.
 void refuse_options_of_other_files(const ExportOptions& o, const CLI::App& command) {
   const std::string ending = std::filesystem::path(o.output).extension().string();
   require_group(command, {"For a " + ending + " file"}, o.output + " is a file of another kind");

@@ -11,11 +11,11 @@ namespace netloft::program {
 /// A solver or strategy with parameters.
 inline constexpr const char* kMethod = "NAME[:key=value,…]";
 
-/// Requires a word that is not empty; help shows `type` for it.
+/// Requires a word that is not empty. The help shows `type` as its type.
 CLI::Option* as_word(CLI::Option* option, const std::string& type);
 /// Requires words that are not empty, for an option that may be repeated.
 CLI::Option* as_words(CLI::Option* option, const std::string& type);
-/// Rejects text that is not a number, which CLI::Range would accept.
+/// Requires a number in a range. Unlike CLI::Range, it rejects texts that only begin with a number.
 CLI::Validator numbers_between(double low, double high);
 
 void add_color_option(CLI::App& command, CommonOptions& o);

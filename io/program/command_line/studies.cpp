@@ -21,7 +21,7 @@ void add_folder(CLI::App& action, Options& o) {
       ->type_name("FOLDER");
 }
 
-/// Adds an action on a planned study that loads no plugins.
+/// Adds an action that works on a planned study and loads no plugins.
 template <class Options>
 Command<Options> add_action(CLI::App& study, Chosen& chosen, const char* name, const char* doc,
                             int (*run)(const Options&)) {

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Formats a value with five digits, more than catalogues have.
+/// Formats a value with five digits, which are more than catalogues state.
 std::string rounded(double value, const char* unit) {
   return fmt::format("{:.5g}{}{}", value, unit == std::string_view("1") ? "" : " ",
                      unit == std::string_view("1") ? "" : unit);

@@ -122,7 +122,7 @@ class Inspection {
 
  private:
   /// Marks integrators whose plugin is not installed, so that their rows in the table state this reason. A
-  /// name that is similar to that of a plugin remains an error, and so does a comparison without any
+  /// name that is similar to the name of a plugin is still an error, and so is a comparison without any
   /// installed integrator.
   void set_absent(studies::ComparisonTask& task) {
     const std::vector<std::string> there = registry_.available();
@@ -177,7 +177,7 @@ void write_files(const studies::Comparison& result, const CompareOptions& o) {
   for (const std::string& file : o.outputs) formats::write_keeping(file, content_of(file, result));
 }
 
-/// The files that an interrupted comparison does not write.
+/// The files that were requested but are not written, because the comparison was interrupted.
 std::string unwritten(const CompareOptions& o) {
   std::string text;
   for (const std::string& file : o.outputs) text += (text.empty() ? "; not written: " : ", ") + file;

@@ -14,7 +14,7 @@ namespace netloft::program {
 
 namespace {
 
-/// The folder of gears that belong to the installation, so that they open as variants.
+/// The folder of the gear library of the installation. Gears in it are opened as variants.
 std::filesystem::path library_folder() {
   const std::filesystem::path installed = formats::installed_folder();
   return installed.empty() ? installed : installed / "share/netloft/gear-library";
@@ -25,7 +25,8 @@ void print_address(const std::string& address, bool json) {
   flush_answers();
 }
 
-/// Opens the design and serves it until it is interrupted or, as a page, until that is closed.
+/// Opens the design and serves it until an interruption or, if it was opened as a page, until the page is
+/// closed.
 int serve(const DesignOptions& options, bool ends_with_page) {
   Terminal terminal(options);
   Registry registry;

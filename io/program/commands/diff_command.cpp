@@ -14,7 +14,8 @@ results::Result read(const std::string& path, bool json) {
   return on_file(path, json, [&] { return results::read_result(path); });
 }
 
-/// The largest move of a node; nullopt unless both files have a shape that this program can read.
+/// The largest displacement of a node between both results; nullopt unless both files have a shape that this
+/// program can read.
 std::optional<results::NodeMove> move_between(const DiffOptions& options) {
   const DamagedFileWatch watch(options.before + " or " + options.after, options.json);
   try {

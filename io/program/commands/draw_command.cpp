@@ -29,7 +29,8 @@ constexpr double kPlanWidth = 2200;  // width of the picture of a net plan [pixe
 bool is_result(const std::string& path) {
   if (std::filesystem::path(path).extension() == ".hdf" || formats::is_journal(path)) return true;
   std::error_code none;
-  if (!std::filesystem::is_regular_file(path, none)) return false;  // reading a pipe would wait for ever
+  // not for a pipe: reading it would wait for ever
+  if (!std::filesystem::is_regular_file(path, none)) return false;
   std::ifstream file(path, std::ios::binary);
   std::array<char, 4> start{};
   return file.read(start.data(), start.size()) && std::string_view(start.data(), 4) == "\x89HDF";
@@ -74,7 +75,7 @@ int draw_polars_command(const DrawOptions& options) {
   return kDone;
 }
 
-/// Draws a plan or, with --mesh, a divided one. An error is reported in `diagnostics`.
+/// Draws a plan or, with --mesh, its mesh. Adds errors to `diagnostics`.
 formats::DrawingSize draw_on(formats::LineDrawing& picture, const gears::NetPlan& plan,
                              const DrawOptions& options, formats::Diagnostics& diagnostics) {
   if (!options.mesh) return gears::draw_plan(plan, picture);
@@ -89,7 +90,7 @@ formats::DrawingSize draw_on(formats::LineDrawing& picture, const gears::NetPlan
   }
 }
 
-/// The content of the picture in the format of its ending.
+/// The content of the picture file, in the format that its ending names.
 std::string picture_of(const gears::NetPlan& plan, const DrawOptions& options,
                        formats::Diagnostics& diagnostics) {
   const double pixels = options.width ? static_cast<double>(options.width) : kPlanWidth;

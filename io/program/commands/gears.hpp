@@ -19,7 +19,7 @@ struct DrawOptions : CommonOptions {
   std::vector<std::string> set;  // option --set path=value
   bool mesh = false;             // option --mesh
   std::size_t nodes = 2000;      // option --nodes
-  // option for a net plan or a result
+  // option --width, for a net plan or a result
   std::size_t width = 0;  // option --width; 0: 2200 for a net plan, 1000 for a result
   // options for a result
   std::string view = "oblique";  // option --view

@@ -50,7 +50,7 @@ void check_spelling(const std::string& name) {
            "write small letters, digits and _ between them, a letter first, 40 at most, such as otter_board");
 }
 
-/// Names that the generated files use themselves, or that CMake reserves for its own targets.
+/// Names that must not be chosen: the generated files use them, or CMake reserves them for its own targets.
 constexpr std::array kTaken = {"parameters", "data", "elastic",    "all",           "test",   "clean",
                                "install",    "help", "edit_cache", "rebuild_cache", "package"};
 
@@ -121,7 +121,8 @@ int new_command(const NewOptions& options) {
       if (t.kind == options.kind)
         formats::write_whole(folder / renamed(t.file, options.kind, options.name),
                              renamed(without_licence(t.text), options.kind, options.name));
-  } catch (const formats::WriteError&) {  // an incomplete component would block a second attempt
+  } catch (const formats::WriteError&) {  // removed because an incomplete component would block a second
+                                          // attempt
     std::error_code none;
     fs::remove_all(folder, none);
     throw;

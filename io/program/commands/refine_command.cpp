@@ -14,8 +14,8 @@ namespace netloft::program {
 
 namespace {
 
-/// Divisions of the leading part, the first panel or rope: from a quarter to twice its number of cells if
-/// that is divisible by four, else from once to four times.
+/// Divisions of the leading part, which is the first panel or rope. They range from a quarter to twice its
+/// number of cells if this number is divisible by four, otherwise from one to four times.
 studies::CellList cells_around(const scenes::LoadedScene& loaded) {
   const std::int64_t own = studies::leading_part(loaded).cells[0];
   if (own % 4 == 0) return {"", {own / 4, own / 2, own, 2 * own}};
@@ -40,7 +40,7 @@ std::vector<studies::MeshLevel> wanted_levels(const RefineOptions& options,
         "analysis.kind=static"};
   if (loaded.gear) return levels_of_gear(options, loaded);
   if (!options.nodes.empty())
-    return studies::gear_levels(loaded, options.nodes);  // throws because there is no gear
+    return studies::gear_levels(loaded, options.nodes);  // throws, because there is no gear
   return studies::mesh_levels(
       loaded, options.cells.empty() ? cells_around(loaded) : studies::read_cell_list(options.cells));
 }

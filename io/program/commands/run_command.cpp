@@ -9,11 +9,12 @@ namespace netloft::program {
 
 namespace {
 
-// The memory of smaller gears is not forecast. They use less than 300 MiB, and a forecast orders the matrix a
-// second time, which would take a hundredth of the run time.
+// Gears with fewer unknowns get no forecast of memory: they use less than 300 MiB, and a forecast orders the
+// matrix once more, which takes a hundredth of the run time.
 constexpr std::int32_t kFewUnknowns = 20000;
 
-/// Reports the forecast of a run that needs much of the available memory, and throws if it needs more.
+/// If a run needs much of the available memory, reports the forecast. Throws if the run needs more than there
+/// is.
 void check_memory(Session& session) {
   if (session.scene().assembler().pattern().size < kFewUnknowns) return;
   const std::string note = note_of_memory(runs::foresee_memory(session.scene()), runs::memory_within_reach());

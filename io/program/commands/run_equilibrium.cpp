@@ -37,7 +37,7 @@ void refuse_what_cannot_be(const RunOptions& options, runs::PreparedScene& scene
   if (const auto why_not = runs::why_unfit(scene)) throw UsageError{*why_not};
 }
 
-/// The meshes with which --error estimates the errors of results.
+/// The meshes with which --error estimates the errors of figures.
 std::vector<studies::MeshLevel> levels_for_errors(const RunOptions& options,
                                                   const scenes::LoadedScene& loaded) {
   if (!options.error) return {};
@@ -61,7 +61,7 @@ void keep_stages(const Assembler& assembler, std::vector<results::StageShape>& s
   };
 }
 
-/// One run. It keeps the best point found so far, in case a plugin call never returns.
+/// One run. It keeps the best point so far, for the case that a call of a plugin never returns.
 class EquilibriumRun {
  public:
   EquilibriumRun(const RunOptions& options, Session& session, results::RunContext& context)
@@ -102,7 +102,8 @@ class EquilibriumRun {
   }
 
   void find_sensitivities(Watchdog& watchdog, results::Result& result) {
-    watchdog.allow(std::numeric_limits<double>::infinity());  // the time limit of the scene is for solves
+    watchdog.allow(std::numeric_limits<double>::infinity());  // no time limit here: that of the scene is for
+                                                              // solves
     const auto show = [&](std::size_t done, std::size_t all, const std::string& path) {
       terminal_.progress_in_steps("numbers", done, all, path);
     };
@@ -132,7 +133,7 @@ class EquilibriumRun {
   }
 
   /// Writes the best accepted point after a plugin call that never returns. Uses a new assembler, because the
-  /// call still occupies the assembler of the scene.
+  /// unfinished call still uses the assembler of the scene.
   int end_early(const Overdue& overdue) {
     const int code = overdue.interrupted ? kInterrupted : kNotConverged;
     terminal_.say("netloft: " + overdue.sentence + "; the run ends here");

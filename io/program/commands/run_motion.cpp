@@ -60,7 +60,7 @@ int run_motion(const RunOptions& options, Session& session, results::RunContext&
   Terminal& terminal = session.terminal();
   const std::string output = output_file(options, loaded), part = output + ".part";
   Watchdog watchdog(terminal, [&](const Overdue& overdue) { return end_early(terminal, part, overdue); });
-  // Allows twice this time, because the search for the start may take as long as the motion.
+  // Allows twice the limit, because the search for the start may take as long as the motion.
   watchdog.allow(2 * loaded.analysis.limits.seconds);
   if (options.resume && !std::filesystem::exists(part))
     throw UsageError{"--resume: there is no " + part + " to go on from"};

@@ -16,9 +16,9 @@ namespace netloft::program {
 
 namespace {
 
-/// Whether a .part is an HDF5 file without a checkpoint. Such a file belongs to a search for an equilibrium
-/// and can be replaced, because it has no results until the equilibrium is found. Motions of earlier versions
-/// are also HDF5 files, but have a checkpoint.
+/// Whether a .part is an HDF5 file without a checkpoint. Such a file comes from a search for an equilibrium
+/// and can be replaced, because it has no results before the equilibrium is found. The .part of a motion by
+/// an earlier version is also an HDF5 file, but has a checkpoint.
 bool is_worthless_hdf5(const std::string& part) {
   if (!formats::is_hdf5_file(part)) return false;
   try {

@@ -17,8 +17,8 @@ std::string output_file(const RunOptions& options, const scenes::LoadedScene& lo
 /// Throws UsageError if `part` has outputs of an unfinished motion, unless the options resume or replace it.
 void protect_outputs(const RunOptions& options, const std::string& part);
 
-/// Returns the final path of a result: that of `file`, or another path beside it if a better result already
-/// exists there. In the second case, reports both paths on the terminal.
+/// Returns the final path of a result: the path of `file` or, if a better result is already there, another
+/// path beside it. In the second case, reports both paths on the terminal.
 std::string name_by_outcome(const formats::ResultFile& file, const Solution& solution, Terminal& terminal);
 
 /// Prints the same text as `netloft report` for this result.

@@ -185,7 +185,7 @@ void put_accept(Json& scene) {
       {{"type", "array"}, {"items", entry}, {"description", "warnings that are known and not shown"}}, false);
 }
 
-/// Adds parts, on their own nodes or on those of other parts, and rigid bodies.
+/// Adds parts (on nodes of their own, or on nodes of other parts) and rigid bodies.
 void put_pieces(Json& scene, const PartSchema& parts, const PartSchema& bodies) {
   put(scene, "parts",
       {{"type", "object"},
@@ -222,7 +222,9 @@ Json scene_schema(Registry& registry) {
   for (const auto& name : registry.available()) {
     const PluginContent& plugin = registry.plugin(name);
     for (const auto& e : plugin.elements) {
-      if (!e.rides_on) parts.add(e, plugin);  // companions are made with the elements that they accompany
+      if (!e.rides_on)
+        parts.add(e, plugin);  // companions are part of the schema of the elements that they
+                               // accompany
       if (e.is_on_body()) bodies.add_body(e, plugin);
     }
     for (const auto& s : plugin.solvers) put_component(analysis, s.type, s.solver.doc, s.parameters);

@@ -40,7 +40,7 @@ std::vector<double> numbers_in(const std::string& text) {
   return numbers;
 }
 
-/// Reads two numbers, and optionally a third one if `may_count`.
+/// Reads two numbers and, if `may_count`, optionally a third one.
 std::vector<double> read_numbers(const char* flag, const std::string& text, bool may_count) {
   const auto numbers = numbers_in(text);
   if (numbers.size() != 2 && !(may_count && numbers.size() == 3))
@@ -84,8 +84,8 @@ std::string number(double value, int digits) {
   return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "-";
 }
 
-/// A sentence with the number of warp lengths without a result, and the reason for the first of them; empty
-/// if every length has a result.
+/// A sentence that says how many warp lengths have no result, and why the first of them has none; empty if
+/// every length has a result.
 std::string missing_text(const studies::ScopeRow& row) {
   const auto lacks = [](const studies::ScopePoint& p) { return !p.why_not.empty(); };
   const auto first = std::ranges::find_if(row.points, lacks);

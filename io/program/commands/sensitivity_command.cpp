@@ -19,7 +19,7 @@ namespace netloft::program {
 
 namespace {
 
-/// The sentence about an equilibrium that has no derivatives.
+/// Ends the command with a sentence if there is no equilibrium with derivatives.
 int end_without_equilibrium(const SensitivityOptions& o, Terminal& terminal, const Solution& solution,
                             const std::string& why_not) {
   terminal.clear();
@@ -34,7 +34,8 @@ Solution solve(runs::PreparedScene& scene, Terminal& terminal, Watchdog& watchdo
       scene, {.interrupt = &interrupt_flag(),
               .on_iteration = [&](const IterationRecord& r) { terminal.progress(r, tolerance); },
               .on_budget = [&](double seconds) { watchdog.allow(seconds); }});
-  watchdog.allow(std::numeric_limits<double>::infinity());  // the time limit of the scene is for its solve
+  watchdog.allow(std::numeric_limits<double>::infinity());  // no time limit here: that of the scene is for
+                                                            // its solve
   return solution;
 }
 
@@ -75,7 +76,7 @@ int run_sensitivity(const SensitivityOptions& o) {
   if (const auto why_not = studies::why_no_derivatives(solution))
     return end_without_equilibrium(o, terminal, solution, *why_not);
   const results::Result result = results::make_result(scene.loaded(), scene.assembler(), solution);
-  studies::chosen_figures(result, o.of);  // refuses unknown names before the work begins
+  studies::chosen_figures(result, o.of);  // refuses unknown names now, before the work begins
   const auto show = [&](std::size_t done, const std::string& path) {
     terminal.progress_in_steps("numbers", done, numbers.size(), path);
   };

@@ -6,7 +6,7 @@ namespace netloft::program {
 
 struct ScopeOptions : MethodOptions {
   std::string depth;            // option --depth LO:HI[:N]
-  std::string warp = "2:5:13";  // option --warp, in the same form, as a multiple of the depth
+  std::string warp = "2:5:13";  // option --warp, in the form LO:HI:COUNT, as a multiple of the depth
   std::string heel = "-5:5";    // option --heel LO:HI
   std::string spread;           // option --spread LO:HI; empty: any
   std::string output;           // option -o

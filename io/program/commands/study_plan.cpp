@@ -17,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// The folder of a study: that of -o, or one in the current folder with the name of the study file.
+/// The folder of a study: the folder given by -o, or a folder in the current folder with the name of the
+/// study file.
 fs::path folder_for(const StudyPlanOptions& o) {
   return fs::path(o.output.empty() ? fs::path(o.file).stem().string() + ".study" : o.output);
 }

@@ -58,11 +58,11 @@ void note_failure(const fs::path& folder, const studies::StudyItem& item, const 
   try {
     formats::write_whole(studies::failure_path(folder, item), reason + "\n");
   } catch (const formats::WriteError&) {
-    // The disk may be full; the item then stays missing without a recorded reason.
+    // Ignored: the disk may be full. The item then stays missing, without a recorded reason.
   }
 }
 
-/// Records the failure of an item whose plugin call never returned.
+/// Records that an item failed because a call of a plugin never returned.
 int end_item(const fs::path& folder, const studies::StudyItem& item, const Overdue& overdue) {
   if (!overdue.interrupted) note_failure(folder, item, overdue.sentence);
   print_error(fmt::format("netloft: {}; item {} has no record", overdue.sentence, item.id));
@@ -109,7 +109,7 @@ class Campaign {
   }
 
  private:
-  /// Computes a single item in this process, for engines that start a program for every item.
+  /// Computes a single item in this process, for engines that start a process for every item.
   int alone() {
     const studies::StudyItem& item = study_.items[left_.front()];
     try {

@@ -22,8 +22,8 @@ std::string what_changed(const studies::Study& study, const std::filesystem::pat
 /// Prints an answer as text or, with --json, as an object.
 void print_answer(const CommonOptions& options, const nlohmann::ordered_json& json, const std::string& text);
 
-/// Writes bars as SVG. Throws UsageError if there is nothing to draw, or more than fits on a page; `flag` is
-/// the option that chooses the groups.
+/// Writes bars as SVG. Throws UsageError if there is nothing to draw or too much for a page. `flag` is the
+/// option that selects the groups, for the message.
 void write_bars(const std::string& file, const formats::BarChart& bars, const char* flag);
 
 /// Number and noun: "1 item", "2 items".

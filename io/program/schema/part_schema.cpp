@@ -46,9 +46,9 @@ Json geometry_schema(const scenes::GeometryKey& key) {
   }
 }
 
-/// Adds keys for the data of elements that the geometry of the part does not provide.
+/// Adds keys for those data of elements that the geometry of the part does not provide.
 void put_data(Json& part, const ElementType& e, bool required) {
-  if (e.element.stencil == NETLOFT_BAR_PAIR) return;  // the two ropes provide all data
+  if (e.element.stencil == NETLOFT_BAR_PAIR) return;  // all data come from the two ropes
   const double inf = std::numeric_limits<double>::infinity();
   for (const auto& datum : e.data)
     if (!find_datum_on(e.element.stencil, datum.name))
@@ -69,7 +69,7 @@ void put_laws(Json& part, const ElementType& e) {
   }
 }
 
-/// Adds the parameters of companion elements, which the program makes together with elements of this type.
+/// Adds the parameters of companions: elements that the program makes together with elements of this type.
 void put_companions(Json& part, const ElementType& e, const PluginContent& plugin) {
   for (const auto& other : plugin.elements)
     if (other.rides_on && std::string_view(other.rides_on) == e.element.name)
@@ -84,8 +84,8 @@ Json begin_part(const ElementType& e) {
   return part;
 }
 
-/// Allows catalogue parts: `twine = "pe-braided-4mm"`, or a table that overrides values of a named part, or
-/// one with all values.
+/// Allows catalogue parts: `twine = "pe-braided-4mm"`, a table that overrides values of a named part, or a
+/// table with all values.
 void let_name_catalogue_parts(Json& part) {
   for (const auto& key : gears::part_keys()) {
     if (!part["properties"].contains(key)) continue;
@@ -128,7 +128,7 @@ Json mesh_part_schema(const ElementType& e, const PluginContent& plugin) {
   return end_part(std::move(part), e, plugin);
 }
 
-/// The schema of a part on the nodes of other parts, which may provide its data.
+/// The schema of a part on the nodes of other parts. Those parts may provide its data.
 Json rider_schema(const ElementType& e, const PluginContent& plugin) {
   Json part = begin_part(e);
   part["title"] = e.type + " on other parts";

@@ -6,8 +6,8 @@
 namespace netloft::program::schema {
 
 /// Schemas of parts, by type and by whether the part uses the nodes of other parts. These schemas serve two
-/// readers: `allOf` directs a validator to the one schema that applies, so that it can name the wrong key;
-/// `anyOf`, which always matches, offers all schemas to an editor for completion.
+/// readers: with `allOf`, a validator finds the one schema that applies, so that it can name the wrong key;
+/// with `anyOf`, which always matches, an editor finds all schemas for completion.
 class PartSchema {
  public:
   void add(const ElementType& e, const PluginContent& plugin);

@@ -26,7 +26,8 @@ namespace netloft::program {
 
 namespace {
 
-/// A text for a signal handler. It is assembled in advance, because few functions are safe inside a handler.
+/// A text for a signal handler. It is assembled in advance, because most functions must not be called in a
+/// signal handler.
 template <std::size_t size>
 struct Words {
   char bytes[size] = {};
@@ -122,7 +123,7 @@ std::uintptr_t stack_pointer(void* context) {
 }
 bool used_up_its_stack(int signal, const siginfo_t* info, void* context) {
   constexpr std::uintptr_t kNear = std::uintptr_t{1}
-                                   << 16;  // an overflow touches memory this near to the stack pointer
+                                   << 16;  // a stack overflow accesses memory this close to the stack pointer
   const auto at = reinterpret_cast<std::uintptr_t>(info->si_addr), top = stack_pointer(context);
   return signal == SIGSEGV && at + kNear > top && at < top + kNear;
 }
@@ -190,13 +191,13 @@ void limit_checks(double seconds) {
   setitimer(ITIMER_PROF, &limit, nullptr);
 }
 
-// `watched` is the process that reports its own early end; processes that it forks report nothing.
-// `is_at_its_last_step`: whether the program has reached last_step().
+// `watched` is the process that reports its own early end; its child processes report nothing.
+// `is_at_its_last_step` says whether the program has reached last_step().
 pid_t watched = 0;
 volatile bool is_at_its_last_step = false;
 
-/// Reports that something other than the last step of the program ended the program: a plugin, or a library.
-/// The exit code is then never that of a success.
+/// Reports that a plugin or a library has ended the program before its last step. The exit code is then never
+/// that of a success.
 void tell_of_an_early_end() {
   if (is_at_its_last_step || getpid() != watched) return;
   const CallStack* calls = known_calls_of_this_thread();
@@ -233,7 +234,7 @@ void end_called_from_outside(int code) {
 }
 
 void explain_crashes() {
-  calls_of_this_thread();  // creates the call stack record of this thread, with its stack for signals
+  calls_of_this_thread();  // creates the record of calls of this thread, with a stack for signal handlers
   watched = getpid();
   std::atexit(tell_of_an_early_end);
   std::at_quick_exit(tell_of_an_early_end);
@@ -260,8 +261,8 @@ DamagedFileWatch::~DamagedFileWatch() { damaged.set(""); }
 }  // namespace netloft::program
 
 #if defined(__linux__)
-// Plugins find these functions before those of the C library, because the program comes first in the order in
-// which symbols are searched for. They are needed because a call of _exit runs no handlers of atexit().
+// Plugins call these functions instead of those of the C library, because symbols are first searched for in
+// the program. They are needed because _exit does not run the handlers of atexit().
 extern "C" {
 NETLOFT_EXPORT void _exit(int status) { netloft::program::end_called_from_outside(status); }
 NETLOFT_EXPORT void _Exit(int status) noexcept { netloft::program::end_called_from_outside(status); }

@@ -8,11 +8,11 @@
 namespace netloft::program {
 
 /// Reports later crashes of the program on standard error: the running plugin, its call, and whether the
-/// stack overflowed. The exit code is then kOther. It is also kOther, with a sentence, if anything ends the
-/// program before last_step() and not by end_at_once(): exit, quick_exit, _exit or _Exit in a plugin.
+/// stack overflowed. The exit code is then kOther. It is also kOther, with a sentence, if a plugin ends the
+/// program by exit, quick_exit, _exit or _Exit: that is, before last_step() and not by end_at_once().
 void explain_crashes();
-/// Marks the last step of the program, and returns its exit code. This is `code`, but kOther instead of
-/// kDone if a plugin broke a rule of the plugin boundary and nobody has reported it.
+/// Marks the last step of the program, and returns its exit code. The exit code is `code`, except that kDone
+/// becomes kOther if a plugin broke a rule of the plugin interface and this has not been reported.
 int last_step(int code);
 /// Ends the process without the handlers of atexit().
 [[noreturn]] void end_at_once(int code);
@@ -20,12 +20,11 @@ int last_step(int code);
 [[noreturn]] void end_called_from_outside(int code);
 
 /// Reports crashes in conformance checks of the component `type` like explain_crashes(), and names the check.
-/// Checks may take `seconds` of processor time, and an interruption also ends them. An empty `type` ends this
-/// mode.
+/// Checks are ended after `seconds` of processor time and by an interruption. An empty `type` ends this mode.
 void explain_crashes_of(const std::string& type, double seconds = 0);
 
-/// During its lifetime a crash ends the program with a sentence about the file and exit code 2, because HDF5
-/// 1.10 reads outside its memory on some damaged files. Only one object may exist at a time.
+/// While it exists, a crash ends the program with a sentence about the file and exit code 2, because HDF5
+/// 1.10 crashes on some damaged files. Only one object may exist at a time.
 class DamagedFileWatch {
  public:
   DamagedFileWatch(const std::string& path, bool json);

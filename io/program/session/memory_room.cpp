@@ -14,11 +14,11 @@ namespace netloft::program {
 
 namespace {
 
-// OpenBLAS 0.3.21 requests 128 MiB at once (BUFFER_SIZE of x86-64, seen with strace); the rest suffices for
+// OpenBLAS 0.3.21 requests 128 MiB at once (BUFFER_SIZE of x86-64, seen with strace); the rest is enough for
 // the smallest scene.
 constexpr std::size_t kMebibyte = std::size_t{1} << 20, kRoom = 144 * kMebibyte;
 
-// Fraction of the available memory below which a forecast is not reported.
+// A forecast is not reported if it is below this fraction of the available memory.
 constexpr double kLittle = 0.25;
 
 // Least measured memory of a run as a fraction of the forecast (io/runs/README.md).

@@ -7,14 +7,15 @@
 namespace netloft::program {
 
 /// Throws std::runtime_error if there is no room for the buffer that dense linear algebra allocates in its
-/// first call. If a limit (ulimit -v, ulimit -d) prevents the allocation, OpenBLAS would retry it for ever.
+/// first call. Without this check, OpenBLAS would retry for ever if a limit (ulimit -v, ulimit -d) prevents
+/// the allocation.
 void require_memory_to_solve();
 
 /// The forecast as text, without a line end: "memory: about 1.8 GiB, …".
 std::string memory_text(const runs::MemoryForecast& forecast, double within_reach);
 
-/// The forecast of the memory of a solve as text; an empty text if the forecast is a small fraction of the
-/// available memory. Throws std::runtime_error with a sentence if it exceeds that memory.
+/// The forecast of the memory of a solve as text; empty if it is a small fraction of the available memory.
+/// Throws std::runtime_error with a sentence if it exceeds that memory.
 std::string note_of_memory(const runs::MemoryForecast& forecast, double within_reach);
 
 }  // namespace netloft::program

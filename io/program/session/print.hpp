@@ -5,16 +5,17 @@
 
 namespace netloft::program {
 
-// Only these functions and Terminal write to standard output and standard error. They remove from all texts
-// the control characters that a terminal would obey (io/formats/text).
+// Only these functions and Terminal write to standard output and standard error. They replace control
+// characters in all texts, because a terminal would execute these (io/formats/text).
 
 /// Prints an answer, or a part of one, on standard output.
 void print(std::string_view text);
 /// Prints an answer with a line end on standard output.
 void print_line(std::string_view text);
-/// Hands over what was printed to whoever reads standard output, for answers of a program that goes on.
+/// Flushes standard output, so that answers are visible while the program continues.
 void flush_answers();
-/// Prints a message with a line end on standard error. Terminal::say() also removes a progress line first.
+/// Prints a message with a line end on standard error. Terminal::say() does the same and first removes a
+/// progress line.
 void print_error(std::string_view text);
 
 }  // namespace netloft::program

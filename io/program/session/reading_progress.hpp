@@ -12,8 +12,8 @@ namespace netloft::program {
 class Terminal;
 
 /// Shows the progress of reading and meshing scenes, and ends both by formats::Interrupted after an
-/// interruption. It draws in a thread of its own, because one step may take long. It draws only while
-/// something is read; nothing else may write to the terminal during that time.
+/// interruption. Draws in a separate thread, because a single step may take long, and only during reading.
+/// Nothing else may write to the terminal during that time.
 class ReadingProgress : public formats::WorkFollower {
  public:
   explicit ReadingProgress(Terminal& terminal);
@@ -25,7 +25,7 @@ class ReadingProgress : public formats::WorkFollower {
   void hear() override;
   void end() noexcept override;
 
-  /// The step that is under way, such as "meshing belly"; empty if nothing is read.
+  /// The present step, such as "meshing belly"; empty if nothing is being read.
   std::string under_way() const;
 
  private:
@@ -33,10 +33,10 @@ class ReadingProgress : public formats::WorkFollower {
 
   Terminal& terminal_;
   formats::WorkFollower* before_;
-  mutable std::mutex mutex_;  // protects all members below, and the terminal while something is read
+  mutable std::mutex mutex_;  // protects all members below and, during reading, the terminal
   std::condition_variable wake_;
   bool is_over_ = false;
-  std::string deed_, of_, unit_;  // words for the step; deed_ is empty while nothing is read
+  std::string deed_, of_, unit_;  // words for the step; deed_ is empty if nothing is being read
   std::size_t done_ = 0;
   double begun_ = 0;    // [s]
   std::thread thread_;  // started by the first step

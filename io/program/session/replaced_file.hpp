@@ -8,9 +8,9 @@ namespace netloft::program {
 
 class Terminal;
 
-/// Replaces the file `output` by `content` completely or not at all, and keeps what was there
-/// (formats::write_keeping). Throws UsageError if `output` is a folder, a device or one of `sources`, or
-/// has none of the `endings`, such as ".svg" (without `endings`, all are allowed). Throws WriteError if the
+/// Replaces the file `output` by `content`, completely or not at all, and keeps the old file as a backup
+/// (formats::write_keeping). Throws UsageError if `output` is a folder, a device or one of `sources`, or has
+/// none of the `endings`, such as ".svg" (if `endings` is empty, all are allowed). Throws WriteError if the
 /// system refuses.
 void replace_file(const std::string& output, const std::string& content,
                   const std::vector<std::string>& sources, const std::vector<std::string>& endings = {});
@@ -23,8 +23,8 @@ void require_ending(const std::string& option, const std::string& file,
 /// folder that does not exist. An empty name passes.
 void require_place(const std::string& file, const std::vector<std::string>& sources);
 
-/// Calls `write` after the answer was printed, so that a full disk affects only these files. Reports a
-/// failure. Returns `code`, or kOther after a failure.
+/// Calls `write`. To be called after the answer was printed, so that a full disk affects only these files.
+/// Reports a failure. Returns `code`, or kOther after a failure.
 int write_last(Terminal& terminal, int code, const std::function<void()>& write);
 
 }  // namespace netloft::program

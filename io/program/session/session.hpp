@@ -13,8 +13,8 @@ class Session {
  public:
   explicit Session(const MethodOptions& options);
 
-  /// Reads, checks and assembles the scene. Returns kDone, or the exit code after reporting why it is not
-  /// ready.
+  /// Reads, checks and assembles the scene. Returns kDone; if the scene is not ready, reports the reason and
+  /// returns the exit code.
   int open();
 
   runs::PreparedScene& scene() { return scene_; }
@@ -41,7 +41,7 @@ int threads_for(int threads);
 /// The files that a scene was read from.
 std::vector<std::string> paths_of(const scenes::LoadedScene& loaded);
 
-/// The facts that the command `plan` prints of a prepared scene, without the memory forecast.
+/// The facts about a prepared scene that the command `plan` prints, except the memory forecast.
 results::PlanExtras plan_extras(runs::PreparedScene& scene);
 
 /// Reports on the terminal, and as JSON, why a scene is not ready. Returns the exit code.

@@ -50,7 +50,7 @@ std::string bar_of(double fraction) {
 /// Formats a number for JSON; null if it is not finite, because JSON has no infinity.
 std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{:.3e}", value) : "null"; }
 
-/// A name as a part of a line: without control characters, and cut if it is long.
+/// A name for use within a line: without control characters, and shortened if it is long.
 std::string on_a_line(std::string_view name) {
   constexpr std::size_t kLongest = 40;
   std::string text(name.substr(0, kLongest));

@@ -16,7 +16,7 @@ class ReadingProgress;
 /// Standard error: messages and a progress line.
 class Terminal {
  public:
-  /// --color auto means colour on a terminal that is not dumb, unless NO_COLOR is set. With --json, progress
+  /// --color auto means colour on a terminal, unless TERM is "dumb" or NO_COLOR is set. With --json, progress
   /// is written as one JSON object per line.
   explicit Terminal(const CommonOptions& options);
   ~Terminal();
@@ -25,9 +25,9 @@ class Terminal {
 
   bool json() const { return json_; }
   void say(const std::string& text);
-  /// Shows all messages, in colour if the terminal has it.
+  /// Shows all messages, in colour if the terminal supports it.
   void say(const formats::Diagnostics& diagnostics);
-  /// The progress of reading scenes. It is shown without further calls while this terminal exists.
+  /// The progress of reading scenes, which is shown automatically while this object exists.
   const ReadingProgress& reading() const { return *reading_; }
 
   /// Shows the progress of a search after the first second: a line that is redrawn on a terminal, a line of
@@ -41,7 +41,8 @@ class Terminal {
   /// unknown. `things` is a word for the steps, such as "items"; `last` names the step that was done last.
   void progress_in_steps(const std::string& things, std::size_t done, std::size_t all,
                          const std::string& last);
-  /// Shows the progress of reading a scene for `seconds` so far; nothing in the first two.
+  /// Shows the progress of reading a scene, which has taken `seconds` so far. Shows nothing in the first two
+  /// seconds.
   void progress_in_reading(const formats::Step& step, double seconds);
   void clear();
 
@@ -57,11 +58,12 @@ class Terminal {
   std::unique_ptr<ReadingProgress> reading_;
 };
 
-/// Sets the handler of interruptions: SIGINT, SIGTERM, SIGQUIT, and SIGHUP unless `nohup` made it ignored.
+/// Sets the handler of interruptions: SIGINT, SIGTERM, SIGQUIT, and SIGHUP, unless `nohup` has made the
+/// program ignore it.
 void on_interrupts(void (*action)(int));
 
-/// Until catch_interrupts() is called, an interruption ends the program at once with a sentence, because
-/// there are no results to lose.
+/// From now on, until catch_interrupts() is called, an interruption ends the program at once with a sentence.
+/// There are no results to lose yet.
 void end_on_interrupts(bool json);
 
 /// True after the first SIGINT, SIGTERM, SIGHUP or SIGQUIT. A second signal ends the program at once.

@@ -24,17 +24,17 @@ namespace netloft::program {
 namespace {
 
 constexpr double kLook = 0.1;  // [s] between two inspections
-// [s] that a plugin call may take after the time is over; factorisations of the host do not count
+// Time that a call of a plugin may still take after the limit [s]; factorisations of the host do not count.
 constexpr double kGrace = 2;
-constexpr double kGraceOfReading = 0.5;  // [s] that reading a scene may still take
-// [s] of processor time that writing a result may still take after an interruption. What the solver takes
-// until it heeds the interruption does not count.
+constexpr double kGraceOfReading = 0.5;  // time that reading a scene may still take [s]
+// Processor time that writing a result may still take after an interruption [s]. The time until the solver
+// notices the interruption does not count.
 constexpr double kGraceOfWriting = 0.5;
-// Calls of the host that a method may still make after the time is over. Built-in solvers check the time at
-// least ten times within as many calls.
+// Number of calls of the host that a method may still make after the limit. Within this number of calls,
+// built-in solvers check the time at least ten times.
 constexpr std::uint64_t kCallbacks = 1000;
 constexpr unsigned kLastAct = 10;  // [s] for writing the results
-constexpr double kPark = 5;        // [s] for a thread to reach the boundary of plugins
+constexpr double kPark = 5;        // time for a thread to reach the boundary of plugins [s]
 
 int exit_code(bool interrupted) { return interrupted ? kInterrupted : kNotConverged; }
 
@@ -85,7 +85,7 @@ void Watchdog::begin_writing(std::function<void()> abandon) {
 }
 
 void Watchdog::end_writing() {
-  const std::lock_guard lock(mutex_);  // cannot be taken while the watchdog abandons the result
+  const std::lock_guard lock(mutex_);  // not available while the watchdog abandons the result
   abandon_ = nullptr;
 }
 
@@ -106,8 +106,8 @@ void Watchdog::watch() {
   }
 }
 
-/// Ends a run if reading does not end after an interruption. Most steps of reading check for interruptions;
-/// some take long, such as a factorisation for the initial shape of a large gear.
+/// Ends a run if reading does not end after an interruption. Most steps of reading check for interruptions,
+/// but some take long, such as a factorisation for the initial shape of a large gear.
 void Watchdog::look_at_interruption(double now) {
   if (interrupted_at_ == 0) {
     interrupted_at_ = now;

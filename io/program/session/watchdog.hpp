@@ -16,7 +16,8 @@ class Terminal;
 
 /// A plugin, or the reading of a scene, that continued after its time was over.
 struct Overdue {
-  bool interrupted = false;  // true: by the user; false: the processor time of the analysis is used up
+  bool interrupted = false;  // whether the user interrupted; otherwise the processor time of the analysis is
+                             // used up
   std::string sentence;      // such as "loops/forever, solve, did not return for 2 s after Ctrl-C"
 };
 
@@ -40,7 +41,7 @@ class Watchdog {
   /// Announces that the result is written from now on. After an interruption, writing may take half a second
   /// of processor time; then the thread of the watchdog calls `abandon` and ends the program.
   void begin_writing(std::function<void()> abandon);
-  /// Ends the time of begin_writing(): the result is complete, and an interruption can no longer keep it from
+  /// Announces that the result is complete. From now on, an interruption can no longer prevent it from
   /// getting its final name.
   void end_writing();
 
@@ -63,7 +64,7 @@ class Watchdog {
   std::function<int(const Overdue&)> last_act_;
   double interrupted_at_ = 0, interrupted_at_cpu_ = 0;  // [s], of processor time; 0: not interrupted
   double writing_since_cpu_ = 0;                        // [s], of processor time
-  std::function<void()> abandon_;                       // empty: no result is being written
+  std::function<void()> abandon_;                       // empty if no result is being written
   double deadline_ = std::numeric_limits<double>::infinity();
   double over_since_ = 0;
   std::vector<Seen> seen_;
@@ -73,8 +74,8 @@ class Watchdog {
   std::thread thread_;
 };
 
-/// Makes a `last_act` that reports the plugin and `what_is_left`, such as "the comparison ends here without a
-/// table", and with --json also prints both as one object.
+/// Makes a `last_act` that reports the plugin and a sentence `what_is_left`, such as "the comparison ends
+/// here without a table". With --json, it also prints both as an object.
 std::function<int(const Overdue&)> ending_with_a_sentence(Terminal& terminal, std::string what_is_left);
 
 }  // namespace netloft::program

@@ -22,9 +22,10 @@ namespace netloft::program {
 
 namespace {
 
-constexpr std::size_t kMostWords = 4096;  // bytes read from the end of standard error
+constexpr std::size_t kMostWords = 4096;  // number of bytes that are read from the end of standard error
 
-// Interval between two checks for ended workers: short enough to go unnoticed, long enough to cost no time.
+// Interval between two checks for ended workers: too short to be noticed, long enough to cost hardly any
+// time.
 constexpr std::chrono::milliseconds kMoment{1};
 
 struct Worker {

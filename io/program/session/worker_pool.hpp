@@ -17,8 +17,8 @@ struct WorkerEnd {
 
 /// Starts one program for each of the jobs 0 … count − 1, in this order, with the command line that `command`
 /// gives for the job. At most `jobs` programs run at a time; `on_end` is called when one ends. After an
-/// interruption no more programs are started, and those that run are terminated; they are also terminated if
-/// this program ends. Returns the number of started jobs.
+/// interruption, no more programs are started and running ones are terminated. Running programs are also
+/// terminated if this program ends. Returns the number of started jobs.
 std::size_t run_workers(std::size_t count, int jobs,
                         const std::function<std::vector<std::string>(std::size_t)>& command,
                         const std::function<void(std::size_t, const WorkerEnd&)>& on_end,

@@ -14,10 +14,10 @@ namespace netloft::python {
 
 /// How a scene is solved.
 struct SolveRequest {
-  std::vector<double> start = {};  // positions of the nodes to start from, 3 per node [m]; empty: the sketch
-  std::shared_ptr<const runs::PreparedScene> like =
-      {};                         // scene whose mesh topology is taken over; nullptr: none
-  bool with_mesh_errors = false;  // solve on two further meshes for the errors of the mesh
+  std::vector<double> start = {};  // initial positions of the nodes, 3 per node [m]; empty: those of the
+                                   // scene
+  std::shared_ptr<const runs::PreparedScene> like = {};  // a scene whose mesh topology is used; nullptr: none
+  bool with_mesh_errors = false;                         // solve on two more meshes to estimate mesh errors
   std::function<void(const IterationRecord&)> on_iteration = {};
 };
 
@@ -41,7 +41,7 @@ struct TangentMatrix {
   const SparsePattern& pattern;
 };
 
-/// A scene and where its search for an equilibrium ended.
+/// A scene, and the point at which the search for its equilibrium ended.
 class Answer {
  public:
   /// Solves the scene. `interrupt` ends the search with the state so far. Throws WrongScene, and
@@ -54,15 +54,15 @@ class Answer {
   /// Positions of the nodes, 3 per node [m].
   const std::vector<double>& points() const { return points_; }
   const std::vector<PartElements>& elements() const { return elements_; }
-  /// The last exception of the solver or the strategy in Python; nullptr: none.
+  /// The last exception that a solver or a strategy in Python raised; nullptr if there was none.
   const std::exception_ptr& raised() const { return raised_; }
 
   /// The residual over the unknowns at displacements u [N]. Throws std::invalid_argument if forces are not
-  /// defined there, or if u has another length.
+  /// defined there, or if u has the wrong length.
   std::vector<double> residual(const std::vector<double>& u);
   TangentMatrix tangent();
-  /// The derivatives of all figures by these numbers (paths as for `--to`); all numbers of the scene if there
-  /// are no paths.
+  /// The derivatives of all figures with respect to these numbers (paths as for `--to`), or with respect to
+  /// all numbers of the scene if there are no paths.
   studies::Sensitivities sensitivities(const std::vector<std::string>& paths, bool with_long_step,
                                        const std::atomic<bool>& interrupt);
   /// Writes the result file that `netloft run` writes.

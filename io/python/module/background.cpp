@@ -15,14 +15,14 @@ namespace py = pybind11;
 
 namespace {
 
-// Python handles a signal only if somebody asks. An answer within 0.2 s needs a question every tenth.
+// Python handles signals only when it is asked to. To react within 0.2 s, it has to be asked every 0.1 s.
 constexpr std::chrono::milliseconds kBetweenQuestions{50};
 
-/// Drops what a component in Python raised in this thread, and nobody asked for.
+/// Discards an exception that a component in Python raised in this thread and nobody has fetched.
 void forget_error() {
   std::exception_ptr error = take_error();
   if (!error) return;
-  const py::gil_scoped_acquire interpreter;  // which exceptions of Python need at their end
+  const py::gil_scoped_acquire interpreter;  // needed when exceptions of Python are destroyed
   error = nullptr;
 }
 
@@ -68,7 +68,7 @@ class Worker {
   std::thread thread_;  // the last member, because the thread uses the others
 };
 
-/// The exception that a handler of signals raised since the last call; nullptr: none.
+/// The exception that a signal handler has raised since the last call; nullptr if there is none.
 std::exception_ptr raised_by_signals() {
   if (PyErr_CheckSignals() == 0) return nullptr;
   try {

@@ -10,12 +10,12 @@
 
 namespace netloft::python {
 
-/// Calls `work` in another thread, without the interpreter lock, and waits for it. Signals such as Ctrl-C are
-/// handled meanwhile by Python; if a handler raises an exception, the flag that `work` receives becomes true.
-/// Rethrows what `work` throws. Returns the exception of the handler; nullptr: there was none.
+/// Calls `work` in another thread, without the interpreter lock, and waits for it. Meanwhile, Python handles
+/// signals such as Ctrl-C. If a handler raises an exception, the flag that `work` receives becomes true.
+/// Rethrows exceptions of `work`. Returns the exception of the handler; nullptr if there was none.
 std::exception_ptr call_in_background(const std::function<void(std::atomic<bool>& interrupt)>& work);
 
-/// The same for work with a result. Throws the exception of the handler.
+/// The same for work with a result, but throws the exception of the handler.
 template <class Result>
 Result in_background(const std::function<Result(const std::atomic<bool>&)>& work) {
   std::optional<Result> result;

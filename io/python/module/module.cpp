@@ -42,7 +42,7 @@ void translate(std::exception_ptr thrown) {
   }
 }
 
-/// The number of a text with a unit, such as "0.1 m/s", in another unit. Throws std::invalid_argument.
+/// Converts a text with a unit, such as "0.1 m/s", to a number in another unit. Throws std::invalid_argument.
 double in_unit(const std::string& text, const std::string& unit) {
   const std::string wanted = unit.empty() ? "1" : unit;
   const auto number = formats::to_si(text, wanted);

@@ -4,7 +4,7 @@
 
 namespace netloft::python {
 
-// Each adds its classes and functions to the module.
+// Each function adds its classes and functions to the module.
 void bind_scenes(pybind11::module_& module);
 void bind_answers(pybind11::module_& module);
 void bind_stored(pybind11::module_& module);

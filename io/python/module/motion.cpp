@@ -19,7 +19,7 @@ void require_motion(const scenes::LoadedScene& loaded) {
         "with_({\"analysis.kind\": \"dynamic\", \"analysis.duration\": \"10 s\"})");
 }
 
-/// Displacements at the start of a motion that begins at a result; nullopt for other motions.
+/// Displacements at the start if a motion begins at a result; nullopt for other motions.
 std::optional<std::vector<double>> start_of(runs::PreparedScene& scene) {
   const auto& file = scene.loaded().analysis.dynamics.start_file;
   if (file.empty()) return {};

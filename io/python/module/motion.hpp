@@ -14,8 +14,8 @@ struct MotionEnd {
 };
 
 /// Computes the motion of a scene into the result file `output`, as `netloft run` does. `on_step` receives
-/// the time reached and the time of the end [s]. Throws WrongScene, FileError, and std::invalid_argument if
-/// the scene is no motion.
+/// the present time and the time of the end [s]. Throws WrongScene, FileError, and std::invalid_argument if
+/// the scene has no motion.
 MotionEnd simulate(const OpenedScene& source, const std::filesystem::path& output,
                    const std::function<void(double, double)>& on_step, const std::atomic<bool>& interrupt);
 

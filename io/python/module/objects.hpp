@@ -24,7 +24,7 @@ pybind11::list number_list(const std::vector<results::NamedScalar>& numbers);
 /// Each number as a tuple: path, value, unit, doc.
 pybind11::list scene_number_list(const std::vector<studies::SceneNumber>& numbers);
 
-/// An array that shows `values` without a copy, cannot be written to, and keeps `owner` alive.
+/// A read-only array that uses the memory of `values` and keeps `owner` alive.
 template <class T>
 pybind11::array view_of(const std::vector<T>& values, std::vector<pybind11::ssize_t> shape,
                         const pybind11::object& owner) {

@@ -12,14 +12,15 @@
 
 namespace netloft::python {
 
-/// The plugins of this process. Solvers that are written in Python are among them.
+/// The plugins of this process. They include solvers that are written in Python.
 Registry& registry();
 
-/// Held while scenes are read: the registry, and the data that changed scenes share, serve one thread only. A
-/// thread that has the lock of the interpreter gives it back while it waits, because the reader may want it.
+/// A lock that is held while scenes are read, because only one thread at a time may use the registry and the
+/// data that changed scenes share. A thread that has the lock of the interpreter releases it while it waits,
+/// because the reading thread may need it.
 ///
-/// A thread that holds the lock may ask for it again, and so may one for which it waits (LentReading): a
-/// search holds it while a solver in Python, which it calls, opens scenes.
+/// A thread that holds the lock may lock it again, and so may a thread for which it waits (LentReading). This
+/// is necessary because a search holds the lock while it calls a solver in Python, which may open scenes.
 class ReadingLock {
  public:
   ReadingLock();
@@ -27,15 +28,15 @@ class ReadingLock {
   ReadingLock(const ReadingLock&) = delete;
   ReadingLock& operator=(const ReadingLock&) = delete;
 
-  /// Whether this thread may read without waiting.
+  /// Whether this thread holds the lock or may use it as if it did.
   static bool is_held_here();
 
  private:
   bool is_first_;
 };
 
-/// While this object lives, this thread has what the thread that started it, and waits for it, had of the
-/// lock.
+/// While this object exists, this thread may use the lock if the thread that started it holds the lock and
+/// waits for it.
 class LentReading {
  public:
   explicit LentReading(bool is_held_there);
@@ -56,10 +57,11 @@ class OpenedScene {
  public:
   explicit OpenedScene(const std::filesystem::path& file) : source_(file) {}
 
-  /// The same scene with other values, each as the argument of `--set`. A new value replaces an older one of
-  /// the same key.
+  /// The same scene with other values, written like arguments of `--set`. A new value replaces an older value
+  /// of the same key.
   OpenedScene with(const std::vector<std::string>& changes) const;
-  /// The same scene, solved by another method: `key` and `specification` are those of runs::choose_method().
+  /// The same scene, solved by another method: `key` and `specification` are arguments of
+  /// runs::choose_method().
   OpenedScene by(const std::string& key, const std::string& specification) const;
 
   std::string file() const { return source_.scene.file().string(); }
@@ -72,9 +74,9 @@ class OpenedScene {
   /// Facts that readers know of the numbers of the scene, by their paths: a new reading, which takes as long
   /// as the first. Throws WrongScene.
   std::map<std::string, formats::NumberWords> words() const;
-  /// All messages about the scene: those that make it wrong, and warnings.
+  /// All messages about the scene: errors and warnings.
   formats::Diagnostics check() const;
-  /// The scene, ready to be solved, on its own mesh, or on one with the topology of `like`. Throws
+  /// The scene, ready to be solved, on its own mesh or on a mesh with the topology of `like`. Throws
   /// WrongScene.
   std::shared_ptr<runs::PreparedScene> prepare(const runs::PreparedScene* like = nullptr) const;
 

@@ -25,7 +25,7 @@ using Rows = std::vector<std::vector<double>>;  // [row][element]
 /// All elements of one type in a scene.
 struct PythonElements {
   PythonPlugin* plugin = nullptr;
-  const py::function* call = nullptr;  // that of the plugin when the scene was prepared
+  const py::function* call = nullptr;  // the callable that the plugin had when the scene was prepared
   Rows parameters, data;
 };
 
@@ -78,7 +78,7 @@ void require_size(const Array& values, std::size_t size, const char* what) {
                                 " numbers instead of " + std::to_string(size));
 }
 
-/// Adds what the callable found to the outputs of the tile.
+/// Adds the results of the callable to the outputs of the tile.
 int add_results(const py::tuple& found, std::uint32_t dofs, netloft_tile& tile) {
   const std::uint32_t n = tile.count;
   const auto energy = found[0].cast<Array>(), force = found[1].cast<Array>();

@@ -75,7 +75,8 @@ std::vector<RealParameter> without_sentences(std::vector<RealParameter> paramete
   return parameters;
 }
 
-/// Plugins are never unloaded, and scenes were checked against their descriptions.
+/// The new callable must have the same description, because plugins are never unloaded and scenes have been
+/// checked against this description.
 void require_same(const PythonPlugin& old, const PythonPlugin& like) {
   const auto refuse = [&](const std::string& what) {
     throw PluginRefused("\"" + old.name + "\" is " + what +
@@ -115,13 +116,13 @@ void add_python_plugin(const std::string& name, const std::string& doc, py::func
   describe_plugin(plugin);
   try {
     describe(plugin);
-    read_plugin(&plugin.plugin, "", name);  // refuses a wrong description before anybody knows the name
+    read_plugin(&plugin.plugin, "", name);  // refuses a wrong description before the name is registered
   } catch (...) {
     python_plugins().pop_back();
     throw;
   }
   registry().add_builtin(name, &last_plugin);
-  registry().plugin(name);  // opens it while it is the last one
+  registry().plugin(name);  // opens the plugin now, while it is the last one
 }
 
 namespace {

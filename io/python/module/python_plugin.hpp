@@ -23,11 +23,12 @@ struct RealParameter {
 };
 
 /// A plugin with one solver, strategy or element that is a callable of Python. It lives as long as the
-/// process, as plugins do. The first parameter of its component is the number of the plugin, because the
-/// functions of the plugin interface are the same for all; further ones are real.
+/// process, as plugins do. The first parameter of its component is the number of the plugin, by which the
+/// functions of the plugin interface, which all these plugins share, find the callable. Further parameters
+/// are real numbers.
 struct PythonPlugin {
   std::string name, doc;
-  std::deque<pybind11::function> calls;  // the callable, after those that had its place before
+  std::deque<pybind11::function> calls;  // the callable at the end, after the ones that it has replaced
   std::vector<RealParameter> parameters;
   std::vector<std::string> data;  // names of the data of an element
 
@@ -44,15 +45,15 @@ struct PythonPlugin {
   std::uint32_t parameter_bytes() const { return static_cast<std::uint32_t>(8 * rows.size()); }
 };
 
-/// Makes a plugin and opens it. `describe` describes its component. If a callable of Python has that name
-/// already and the same description, but for sentences, the new one takes its place in scenes that are solved
+/// Makes a plugin and opens it. `describe` describes its component. If there is already a callable of this
+/// name with the same description (except for sentences), the new one replaces it in scenes that are solved
 /// from then on. Throws PluginRefused if another plugin has that name, or if the description is wrong.
 void add_python_plugin(const std::string& name, const std::string& doc, pybind11::function call,
                        std::vector<RealParameter> parameters,
                        const std::function<void(PythonPlugin&)>& describe);
 
-/// Keeps what a component in Python has raised in this thread, in which its search runs, or takes it away;
-/// nullptr: nothing.
+/// keep_error() stores an exception that a component in Python raised in this thread, which runs its search;
+/// take_error() returns and removes it. nullptr means none.
 void keep_error(std::exception_ptr error);
 std::exception_ptr take_error();
 

@@ -95,7 +95,7 @@ void say(netloft_problem& problem, const char* text) {
   if (problem.message) std::snprintf(problem.message, problem.message_size, "%s", text);
 }
 
-/// The function `solve` of all solvers in Python: the parameter says which one.
+/// The function `solve` of all solvers in Python. The parameter identifies the solver.
 int call_solver_in_python(const void* parameters, netloft_problem* problem) {
   const py::gil_scoped_acquire interpreter;
   auto seen = std::make_shared<PythonProblem>(*problem);

@@ -39,7 +39,7 @@ Displacements displacements_from(const Numbers& u) { return {u.data(), u.data() 
 
 Numbers array_from(const Displacements& u) { return Numbers(static_cast<py::ssize_t>(u.size()), u.data()); }
 
-/// The number of meshes that there are: level 0 is that of the scene.
+/// The number of meshes. Level 0 is the mesh of the scene.
 unsigned count_levels(PythonSearch& search) {
   unsigned levels = 1;
   while (levels < search.valid().levels() && search.valid().size(levels) > 0) ++levels;

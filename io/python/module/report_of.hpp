@@ -10,8 +10,8 @@
 
 namespace netloft::python {
 
-/// Gives a class of the module what every result has. `result_of` is a function from an object of the class
-/// to its results::Result.
+/// Adds the properties that all results have to a class of the module. `result_of` is a function from an
+/// object of the class to its results::Result.
 template <class Class, class ResultOf>
 void add_report(Class& of, ResultOf result_of) {
   using Object = typename Class::type;

@@ -19,7 +19,7 @@ namespace {
 
 using AnswerPointer = std::shared_ptr<Answer>;
 
-/// The numbers of a scene that `paths` name, and all of them without paths: those of its tables and the
+/// The numbers of a scene with these paths; if there are no paths, all numbers of its tables and all
 /// parameters of its parts.
 py::list numbers_of_scene(const OpenedScene& scene) {
   using Numbers = std::vector<studies::SceneNumber>;
@@ -52,12 +52,13 @@ std::vector<std::string> part_names(const OpenedScene& scene) {
   });
 }
 
-/// Work in the background that reports its progress to a callable of Python, whose exception ends it.
+/// Work in the background that reports its progress to a callable of Python. An exception of the callable
+/// ends the work.
 class Watched {
  public:
   explicit Watched(const py::object& progress) : progress_(progress) {}
 
-  /// Calls the callable from the thread that works.
+  /// Calls the callable. For use by the thread that does the work.
   template <class... Numbers>
   void report(Numbers... numbers) {
     if (progress_.is_none()) return;
@@ -69,7 +70,7 @@ class Watched {
       *interrupt_ = true;
     }
   }
-  /// The exception of the callable or of a signal that ended the work; None: nothing ended it.
+  /// The exception of the callable or of a signal that ended the work; None if there was no exception.
   py::object run(const std::function<void(const std::atomic<bool>&)>& work) {
     const auto by_signal = call_in_background([&](std::atomic<bool>& interrupt) {
       interrupt_ = &interrupt;
@@ -90,7 +91,7 @@ class Watched {
   std::exception_ptr raised_;
 };
 
-/// Solves a scene on its own mesh, or on that of the answer `mesh_of`. `progress` is called after each
+/// Solves a scene on its own mesh, or on the mesh of the answer `mesh_of`. `progress` is called after each
 /// iteration with its number, the largest residual and the largest load [N]. Returns the answer, and the
 /// exception that ended the search.
 py::tuple solve(const OpenedScene& scene, const std::vector<double>& start, const AnswerPointer& mesh_of,
@@ -106,7 +107,7 @@ py::tuple solve(const OpenedScene& scene, const std::vector<double>& start, cons
   return py::make_tuple(answer, ended_by);
 }
 
-/// Computes a motion. `progress` is called after each step with the time reached and that of the end [s].
+/// Computes a motion. `progress` is called after each step with the present time and the time of the end [s].
 /// Returns the file, warnings, and the exception that ended the motion.
 py::tuple simulate_scene(const OpenedScene& scene, const std::filesystem::path& output,
                          const py::object& progress) {

@@ -26,7 +26,7 @@ void require_none(const formats::Diagnostics& diagnostics, bool refused) {
   if (diagnostics.errors()) throw WrongScene(diagnostics, refused);
 }
 
-/// The work of `netloft optimise`. Points that `history` has are not solved again.
+/// The work of `netloft optimise`. Points that are in `history` are not solved again.
 SearchReports optimise_file(const fs::path& path, const fs::path& history,
                             const std::atomic<bool>& interrupt) {
   const formats::InterruptibleWork reading(interrupt);
@@ -58,8 +58,8 @@ SearchReports calibrate_file(const fs::path& path, const std::atomic<bool>& inte
   return {studies::calibration_json(done), studies::calibration_text(done)};
 }
 
-/// Runs a search in the background. Returns its reports, which are empty if it ended before it began, and the
-/// exception of a signal handler that ended it.
+/// Runs a search in the background. Returns its reports, and the exception of the signal handler that ended
+/// it, if any. The reports are empty if the search ended before its first point.
 template <class Search>
 py::tuple reports_of(const Search& search) {
   SearchReports found;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Result files: what they hold, and their pictures and pages.
+// Result files: their contents, and pictures and pages made from them.
 #include "io/pictures/picture/sheet.hpp"
 #include "io/pictures/view/page.hpp"
 #include "io/python/module/module.hpp"
@@ -42,7 +42,8 @@ py::array cells_of(const std::vector<std::array<std::uint32_t, n>>& cells) {
   return all;
 }
 
-/// The cells of the mesh: "triangle" and "line", each (nodes, numbers of the cells, part of each).
+/// The cells of the mesh: "triangle" and "line", each a tuple (nodes, numbers of the cells, parts of the
+/// cells).
 py::dict mesh_of(const StoredShape& shape) {
   const auto& mesh = shape.mesh;
   const auto parts = [&](const std::vector<std::uint32_t>& cells) {
@@ -67,7 +68,8 @@ py::array field_at(const StoredShape& shape, const std::string& name, std::int64
   return copy_of(shape.field(name, state_at(shape, state)));
 }
 
-// Pixels; the time of a picture grows with the square of its width, and is seconds at the most.
+// Limits of the width of a picture [pixels]. The time for a picture grows with the square of its width, up to
+// several seconds.
 constexpr std::size_t kLeastWidth = 100, kMostWidth = 5000;
 
 /// A picture of a state as SVG or PNG. Throws std::invalid_argument for an unknown field or view.

@@ -45,8 +45,8 @@ class Quantity(float):
             return f"{float(self):.6g}{unit}"
         return f"{float(self):.6g} ± {self.error:.1g}{unit}" + (" (solver)" if math.isnan(self.mesh_error) else "")
 
-    # A multiple keeps the unit, and so does a sum with the same unit, so that with_({path: 1.1 * number}) is what it
-    # looks like. Everything else is a plain float.
+    # A multiple keeps the unit, and so does a sum of two numbers with the same unit, so that with_({path: 1.1
+    # * number}) works as expected. All other results are plain floats.
 
     def __mul__(self, other: Any) -> Any:
         if isinstance(other, Quantity):

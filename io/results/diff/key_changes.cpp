@@ -52,7 +52,7 @@ class Comparison {
   }
 
   /// Compares the items of two arrays in their order, after skipping equal items at both ends. Indices are
-  /// those of the first array, or of the second for items that the first lacks.
+  /// those of the first array; items that only the second array has have their index there.
   void compare_items(const std::vector<Value>& a, const std::vector<Value>& b, const std::string& path) {
     std::size_t head = 0, tail = 0;
     const std::size_t fewer = std::min(a.size(), b.size());

@@ -9,8 +9,8 @@
 
 namespace netloft::results {
 
-/// A key of two scenes, or of two files, that has different values. Values are written as `--set` reads them;
-/// an empty one means that the key is not there.
+/// A key of two scenes, or of two files, that has different values. Values are written in the syntax of
+/// `--set`. An empty value means that the key does not exist.
 struct KeyChange {
   std::string path;  // such as "floats.headline.spread" or "hold[0].at"
   std::string before, after;

@@ -34,7 +34,7 @@ void side_text(const char* which, const Result& result, Out out) {
 }
 
 // Numbers of changed inputs and of figures that are printed without --all. Together with file names and a
-// heading, the most important ones fill about ten lines.
+// heading, these are about ten lines.
 constexpr std::size_t kShownInputs = 3, kShownFigures = 12;
 
 constexpr std::size_t kShownLetters = 100;  // of a value, without --all
@@ -66,9 +66,10 @@ void inputs_text(const ResultDiff& diff, bool all, Out out) {
                        : "");
 }
 
-/// Returns a coordinate, with round-off around zero replaced by zero.
+/// Returns a coordinate, or zero if it is zero up to rounding errors.
 double plain(double metres) {
-  constexpr double kNothing = 1e-9;  // [m]: far below the accuracy of any result
+  constexpr double kNothing = 1e-9;  // smallest coordinate that counts [m], far below the accuracy of any
+                                     // result
   return std::abs(metres) < kNothing ? 0 : metres;
 }
 

@@ -4,7 +4,7 @@
 
 namespace netloft::results {
 
-/// The changes of the inputs, a line for each; `most` limits the letters of a value.
+/// The changes of the inputs, one line each. Values are shortened to `most` letters.
 std::vector<std::string> input_changes(const ResultDiff& diff, std::size_t most = std::string::npos);
 
 /// A figure before and after, as reports print it.
@@ -20,8 +20,8 @@ FigureChange figure_change(const NumberDifference& difference);
 std::string errors_line(const ResultDiff& diff);
 
 /// The differences as text: the changes of the inputs, then the figures that changed, the most important
-/// first. Changes beyond the known errors are marked with `*`. With `all`, no change is left out, and every
-/// number that changed is listed by its name in the file.
+/// first. Changes beyond the known errors are marked with `*`. With `all`, all changes are listed, and every
+/// number that changed is listed with its name in the file.
 std::string diff_text(const ResultDiff& diff, bool all);
 
 /// One JSON object with all numbers; unknown values are null.

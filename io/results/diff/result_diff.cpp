@@ -92,7 +92,7 @@ std::set<std::string> only_in(const std::set<std::string>& one, const std::set<s
 
 std::string name_of(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-/// Compares the files of two results that differ, in pairs of the same name. Files of the scenes themselves
+/// Compares those files of two results that differ, in pairs of the same name. Files of the scenes themselves
 /// are left out, because their keys are compared.
 std::vector<FileDifference> compare_files(const std::vector<Origins::File>& before,
                                           const std::vector<Origins::File>& after,
@@ -156,16 +156,17 @@ InputDifferences compare_inputs(const Origins& before, const Origins& after) {
   return inputs;
 }
 
-/// Whether a number describes the gear as a whole or was asked for, and not single parts.
+/// Whether a number describes the gear as a whole, or was requested in the scene, and does not belong to a
+/// single part.
 bool is_figure(const std::string& name) {
   return name.starts_with("results/") ||
          (name.starts_with("gear/") && !principal_name(name.substr(5)).empty());
 }
 
-/// The weight of a difference, by which differences are sorted: relative to the larger value or, if it is
-/// within the errors, as a fraction of the errors, so that noise comes last. A value below a hundredth of the
-/// largest of its unit counts as that hundredth, because the small force of a slack rope may change by any
-/// factor.
+/// The weight by which differences are sorted: the difference relative to the larger value or, if it is
+/// smaller than the errors, relative to the errors, so that noise comes last. Values below a hundredth of the
+/// largest value with this unit are replaced by that hundredth, because the small force of a slack rope may
+/// change by any factor.
 double weight_of(const NumberDifference& d, double largest) {
   constexpr double kSmall = 0.01;
   if (std::isfinite(d.error()) && !d.exceeds()) return std::abs(d.difference()) / d.error();
@@ -214,7 +215,7 @@ double NumberDifference::share() const {
 }
 
 bool NumberDifference::is_exact() const {
-  constexpr double kExact = 1e-9;  // an error below this fraction of the number is rounding
+  constexpr double kExact = 1e-9;  // a smaller error, relative to the number, counts as rounding
   return error() <= kExact * std::fmax(std::abs(before), std::abs(after));
 }
 

@@ -15,8 +15,8 @@ struct NumberDifference {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::string name, unit;
   double before = kUnknown, after = kUnknown;
-  // Sums of the solver error and the mesh error of each value. NaN unless both are known, because the mesh
-  // error is usually by far the largest.
+  // For each value, the sum of solver error and mesh error. NaN unless both are known, because the mesh error
+  // is usually by far the larger one.
   double error_before = kUnknown, error_after = kUnknown;
   double floor = 0;  // differences below this are round-off
 
@@ -30,7 +30,7 @@ struct NumberDifference {
   bool is_exact() const;
   /// Whether the difference exceeds round-off.
   bool is_changed() const;
-  /// Whether the difference exceeds error(); false if that is not known.
+  /// Whether the difference exceeds error(); false if error() is not known.
   bool exceeds() const;
 };
 
@@ -58,9 +58,9 @@ struct InputDifferences {
 struct ResultDiff {
   Result before, after;
   std::vector<NumberDifference> numbers;  // sorted by name; unchanged ones are included
-  // Indices in `numbers` of those that a report shows first and that changed: first those that exceed their
-  // errors, then the key figures (key_figures.hpp), then others, each group by its largest share(). Figures
-  // without any error follow, such as a weight: they follow from the input alone.
+  // Indices of the changed numbers that a report shows first. The order is: changes that exceed their errors,
+  // key figures (key_figures.hpp), other figures; within each group, the largest share() comes first. At the
+  // end are figures without any error, such as a weight, which depend on the input only.
   std::vector<std::size_t> figures;
   InputDifferences inputs;
   std::optional<NodeMove> move;  // nullopt: not compared

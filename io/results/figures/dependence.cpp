@@ -32,7 +32,7 @@ void widen(const std::vector<NamedScalar>& there, std::vector<NamedScalar>& scal
   }
 }
 
-/// Evaluates all numbers once more, after the next Newton step, to estimate the solver's error.
+/// Estimates the solver error: evaluates all numbers once more, after another Newton step.
 void add_solver_errors(const scenes::LoadedScene& loaded, Assembler& assembler, const Solution& solution,
                        Result& result) {
   Solution after;
@@ -68,7 +68,7 @@ double length_of(std::span<const double> x) {
   return *most - *least;
 }
 
-/// The solution displaced by `length` times the mode `along`, a displacement of all unknowns.
+/// The solution after a displacement of the unknowns by `length` times the mode `along`.
 Solution swung(const Assembler& assembler, const Solution& s, const std::vector<double>& along,
                double length) {
   Solution there;

@@ -4,8 +4,8 @@
 
 namespace netloft::results {
 
-/// Adds to every number of a result its solver error, and its range over all equilibria that were found. At
-/// an unstable equilibrium, adds the change of the number along the motion that grows.
+/// Adds the solver error and the range over all found equilibria to every number of a result. At an unstable
+/// equilibrium, also adds the change of the number along the motion that grows.
 void add_dependence(const scenes::LoadedScene& loaded, Assembler& assembler, const Solution& solution,
                     Result& result);
 

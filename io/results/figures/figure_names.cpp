@@ -8,7 +8,7 @@ namespace netloft::results {
 namespace {
 
 /// Whether a figure is the spread of a pair of bodies, or a force that causes the spread. Other figures of a
-/// pair are means, and tables show the figures of its two bodies instead.
+/// pair are means; tables show the figures of the two bodies instead.
 bool is_of_pair(const std::string& name) {
   return name.starts_with("pairs/") &&
          (name.ends_with("/spread") || name.ends_with("/spread_force") || name.ends_with("/ground_share"));

@@ -7,11 +7,12 @@ namespace netloft::results {
 /// A name in words: "headline height" for "headline_height", "door spread" for "door/spread".
 std::string spoken(std::string name);
 
-/// The name of a principal figure (one that reports show first) on screen and in pictures: "headline height"
-/// for "mouth/headline_height". Empty for other figures.
+/// The name of a principal figure (a figure that reports show first) on screen and in pictures: "headline
+/// height" for "mouth/headline_height". Empty for other figures.
 std::string principal_name(const std::string& figure);
 
-/// Whether the figures include those of a net plan. In the list they come after the figures of rigid bodies.
+/// Whether the figures include those of a net plan. In the list, figures of a net plan come after those of
+/// rigid bodies.
 bool are_of_plan(const std::vector<NamedScalar>& figures);
 
 }  // namespace netloft::results

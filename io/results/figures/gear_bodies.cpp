@@ -47,8 +47,8 @@ void add_outputs(const scenes::LoadedScene& loaded, const Assembler& assembler, 
   }
 }
 
-/// Whether all nodes of a part belong to rigid bodies, as those of a board and of its shoe do. A rope also
-/// has other nodes.
+/// Whether all nodes of a part belong to rigid bodies. This is so for a board and its shoe, but not for a
+/// rope.
 bool rides_on_bodies(const Scene& scene, const Part& part) {
   return std::ranges::all_of(part.nodes, [&](std::uint32_t node) {
     return std::ranges::any_of(scene.bodies, [&](const RigidBody& body) {
@@ -58,7 +58,8 @@ bool rides_on_bodies(const Scene& scene, const Part& part) {
   });
 }
 
-/// Whether elements of a part have contact with some ground: they then have an output for the normal force.
+/// Whether elements of a part can have contact with the ground. Such elements have an output for the normal
+/// force.
 bool rests_on_ground(const Assembler& assembler, std::uint32_t part) {
   return std::ranges::any_of(assembler.families(), [&](const auto& family) {
     const auto& outputs = family->type().outputs;

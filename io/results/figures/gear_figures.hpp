@@ -13,9 +13,9 @@ struct Figure {
   double value = 0;
 };
 
-/// Computes the figures of a gear, the numbers in which its designer thinks. d is the unit vector of the
-/// current (aft, along x, in still water). P₀ … P_n is the closed curve of the nodes of the headline followed
-/// by those of the footrope in reverse order:
+/// Computes the figures of a gear: the numbers that matter to its designer. d is the unit vector of the
+/// current (aft, along x, in still water). P₀ … P_n is a closed curve: the nodes of the headline, followed by
+/// the nodes of the footrope in reverse order:
 ///   S = ½ Σ P_i × P_{i+1},   mouth area = |d·S|              projected on the plane across the current (1)
 ///   opening = sin α = mesh width over stretched mesh         of taut twines, α half their angle       (2)
 ///   mean of (2) over the meshes of a panel
@@ -27,8 +27,9 @@ struct Figure {
 /// water is positive if the part sinks. The tension at the end of a rope is extrapolated from the two outer
 /// bars if it changes steadily there; otherwise it is the tension of the outer bar.
 ///
-/// If only the starboard half was modelled (GearInScene::times = 2), sums are doubled to those of the whole
-/// gear. Forces across the gear, along y, are not doubled, because they cancel in the whole gear.
+/// If only the starboard half was modelled (GearInScene::times = 2), sums are doubled, so that they are those
+/// of the whole gear. Forces across the gear, along y, are not doubled, because they cancel in the whole
+/// gear.
 ///
 /// A scene without a net plan has only the figures of its rigid bodies: the positions of their origins and
 /// their attitude (netloft/attitude.hpp).

@@ -19,7 +19,7 @@ struct PartGroup {
   std::vector<std::uint32_t> parts;
 };
 
-/// Groups the parts of the scene by kind; "others" are the parts that the net plan does not name.
+/// Groups the parts of the scene by kind; "others" are parts that are not in the net plan.
 std::vector<PartGroup> kinds_of(const GearView& gear) {
   const scenes::GearInScene& g = gear.gear();
   std::vector<PartGroup> kinds = {
@@ -29,7 +29,9 @@ std::vector<PartGroup> kinds_of(const GearView& gear) {
   planned.insert(g.pieces.begin(), g.pieces.end());
   const auto& parts = gear.loaded().scene.parts;
   for (std::uint32_t p = 0; p < parts.size(); ++p) {
-    if (parts[p].companion) continue;  // a companion shares the name of its part, whose force includes it
+    if (parts[p].companion)
+      continue;  // the force of a part includes that of its companion, which has the
+                 // same name
     kinds.front().parts.push_back(p);
     if (!planned.contains(p)) kinds.back().parts.push_back(p);
   }
@@ -76,7 +78,7 @@ std::vector<PartGroup> parts_of(const GearView& gear, const PartGroup& kind) {
   return parts;
 }
 
-/// Adds the total weight in water of all parts that sink, and that of all parts that float.
+/// Adds two figures: the total weight in water of all parts that sink, and the same for all parts that float.
 void add_budget(const GearView& gear, const std::vector<PartGroup>& parts, std::vector<Figure>& figures) {
   double sinking = 0, floating = 0;
   for (const auto& part : parts) {
@@ -87,7 +89,7 @@ void add_budget(const GearView& gear, const std::vector<PartGroup>& parts, std::
   figures.push_back({"budget/floating", "N", "weight in water of all parts that float", floating});
 }
 
-/// Normal forces of the ground on nodes that press on it [N].
+/// Normal forces of the ground on nodes in contact with it [N].
 std::map<std::uint32_t, double> forces_of_ground(const GearView& gear) {
   std::map<std::uint32_t, double> forces;
   for (std::size_t f = 0; f < gear.answer().outputs.size(); ++f) {
@@ -114,8 +116,8 @@ double fraction_on_ground(const GearView& gear, std::uint32_t rope,
   return on / all;
 }
 
-/// One stretch of the footrope, both sides of the gear together: its length [m], how much of this length is
-/// on the ground [m], and the normal force of the ground [N].
+/// A stretch of the footrope, on both sides of the gear together: its length [m], the length of it that is on
+/// the ground [m], and the normal force of the ground [N].
 struct OnGround {
   double length = 0, touching = 0, force = 0;
 };

@@ -14,8 +14,8 @@ namespace netloft::results {
 
 namespace {
 
-/// Height of the seabed at a place [m]: of the scene's seabed, or else of a part that has a bed in its own
-/// parameters; nullopt without a bed.
+/// Height of the seabed at a place [m]: that of the scene or, if the scene has none, of a part whose
+/// parameters describe a bed; nullopt without a bed.
 std::optional<double> bed_below(const Vector& place, const Scene& scene) {
   if (scene.bed.is_there) return scene.bed.at(place.x, place.y)[0];
   for (const Part& part : scene.parts)
@@ -46,7 +46,7 @@ double mouth_area(const GearView& gear, std::uint32_t headline, std::uint32_t fo
   std::vector<std::uint32_t> curve = gear.nodes_of(headline);
   const auto& below = gear.nodes_of(footrope);
   curve.insert(curve.end(), below.rbegin(), below.rend());
-  const Vector from = gear.at(curve.front());  // an origin nearby keeps round-off small
+  const Vector from = gear.at(curve.front());  // a reference point nearby keeps rounding errors small
   Vector S, middle;
   for (std::size_t i = 0; i < curve.size(); ++i) {
     S += 0.5 * cross(gear.at(curve[i]) - from, gear.at(curve[(i + 1) % curve.size()]) - from);  // (1)
@@ -55,7 +55,8 @@ double mouth_area(const GearView& gear, std::uint32_t headline, std::uint32_t fo
   return gear.times() * std::abs(dot(gear.current_at(middle), S));
 }
 
-/// Adds the water that enters the bag, if a part of the scene (a flow) says how far the bag slows it.
+/// Adds figures of the water that enters the bag, if a part of the scene (a flow) computes how much the bag
+/// slows the water.
 void add_water(const GearView& gear, std::vector<Figure>& figures) {
   const Scene& scene = gear.loaded().scene;
   for (std::uint32_t part = 0; part < scene.parts.size(); ++part) {
@@ -83,7 +84,7 @@ void add_water(const GearView& gear, std::vector<Figure>& figures) {
 
 /// The tension at the end of a rope [N], from tensions T and lengths l of its bars, the outer one first. It
 /// is extrapolated linearly from the middles of the two outer bars if the third bar fits the trend.
-/// Otherwise, for instance where netting pulls at the end, it is the tension of the outer bar.
+/// Otherwise, for instance if netting pulls at the end, it is the tension of the outer bar.
 double tension_at_end(const std::vector<double>& T, const std::vector<double>& l) {
   if (T.size() < 3 || !(T[0] > 0 && T[1] > 0)) return T[0];
   const double change = T[0] - T[1], before = T[1] - T[2];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Figures of pairs of bodies to port and to starboard, under the name of the pair in the plan. They are equal
-// for a half gear and the whole one.
+// Figures of pairs of bodies to port and to starboard, under the name of the pair in the plan. They are the
+// same for half a gear and for the whole gear.
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +16,7 @@ const Figure* find(const std::vector<Figure>& figures, const std::string& name) 
   return at == figures.end() ? nullptr : &*at;
 }
 
-/// Names of the bodies of a pair; a half gear has only the starboard one.
+/// Names of the bodies of a pair; half a gear has only the starboard body.
 std::vector<std::string> bodies_of(const GearView& gear, const std::vector<std::uint32_t>& parts) {
   std::vector<std::string> names;
   for (const auto part : parts) names.push_back(gear.name(part));

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kHeatOfDiesel = 42.7e6;  // lower heating value [J/kg], ISO 15550
 
-/// Unit vector along the outermost bar of a rope, pointing from the chosen end into the rope.
+/// Unit vector along the outermost bar of a rope at one end, pointing away from this end.
 Vector direction(const GearView& gear, std::uint32_t rope, bool from_start) {
   const auto& nodes = gear.nodes_of(rope);
   const std::size_t n = nodes.size();
@@ -95,7 +95,7 @@ void add_power(const GearView& gear, std::vector<Figure>& figures) {
                          gear.times() * gear.gear().ship_speed * at->second});
 }
 
-/// The value of a figure that was added before; 0 if it was not.
+/// The value of a figure that has been added already; 0 if there is none.
 double value_of(const std::vector<Figure>& figures, std::string_view name) {
   const auto at = std::ranges::find(figures, name, &Figure::name);
   return at == figures.end() ? 0 : at->value;

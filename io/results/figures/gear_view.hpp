@@ -11,8 +11,8 @@ namespace netloft::results {
 
 using Vector = Vec3<double>;
 
-/// Looks up numbers of a response (outputs and forces of elements) by parts of the gear: positions along a
-/// rope, outputs of a panel.
+/// Looks up the numbers of a response (outputs and forces of elements) by parts of the gear, such as
+/// positions along a rope or outputs of a panel.
 class GearView {
  public:
   GearView(const scenes::LoadedScene& loaded, const Assembler& assembler, const Response& answer)

@@ -10,7 +10,7 @@ namespace netloft::results {
 
 namespace {
 
-/// Whether a figure is not all error.
+/// Whether the error of a figure is smaller than the figure itself.
 bool is_known(const NamedScalar& figure) {
   return !(figure.solver_error + figure.mesh_error >= std::abs(figure.value));
 }

@@ -8,7 +8,7 @@ namespace netloft::results {
 
 /// The most important numbers of a result, in the order in which they are shown: height, spreads, area and
 /// drag of a gear, the pull of the ship and of its rigging, the largest first, then the [results] of the
-/// scene. At most nine. Figures of the gear whose error is as large as they are do not count.
+/// scene. At most nine. A figure of the gear is left out if its error is as large as the figure itself.
 std::vector<const NamedScalar*> key_figures(const Result& result);
 
 }  // namespace netloft::results

@@ -9,7 +9,7 @@ namespace netloft::results {
 
 namespace {
 
-// Fractions are printed in whole per cent; those below this one would print as 0 %.
+// Fractions are printed in whole per cent; fractions below this number would be printed as 0 %.
 constexpr double kRoundsToNothing = 0.005;
 
 std::string parts_text(const Scene& scene, const std::vector<std::uint32_t>& parts) {

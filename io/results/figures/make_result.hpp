@@ -13,8 +13,8 @@ namespace netloft::results {
 /// removes from the positions, if they are known.
 Kinematics at_rest(const Solution& solution);
 
-/// The figures of the gear, computed from a response of its elements, without errors; empty without a net
-/// plan or rigid bodies.
+/// The figures of the gear, computed from a response of its elements, without error estimates. Empty if there
+/// are neither a net plan nor rigid bodies.
 std::vector<NamedScalar> find_figures(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                       const Response& answer);
 /// The numbers that the scene requests in its table [results].
@@ -26,11 +26,11 @@ struct Numbers {
   std::vector<NamedScalar> scalars, figures, reactions;
 };
 
-/// The components of the forces of holds: "held/towing-point/x" [N].
+/// The components of the forces of holds, such as "held/towing-point/x" [N].
 std::vector<NamedScalar> reactions_of(const std::vector<HoldForce>& holds);
 
 /// The numbers at the positions of the solution `there`; nullopt if the solution has no positions, or if
-/// forces cannot be evaluated there.
+/// forces cannot be evaluated at them.
 std::optional<Numbers> numbers_at(const scenes::LoadedScene& loaded, Assembler& assembler, Solution there);
 
 /// The facts of a scene that are known before it is solved.

@@ -11,14 +11,15 @@
 
 namespace netloft::results {
 
-/// Names of the element outputs that are tensions: one of ropes, and one for each twine direction of netting.
+/// Names of the element outputs that are tensions: one for ropes, and one for each twine direction of
+/// netting.
 inline constexpr std::array<std::string_view, 3> kTensions = {"tension", "tension_u", "tension_v"};
 
 /// Whether a part is the part `name` of the net plan, or the port or starboard copy of it.
 bool is_called(const std::string& part, const std::string& name);
 
 /// The bill of materials of a gear, without loads: the materials of its plan, and its rigid bodies. A pair of
-/// bodies to port and to starboard is one row with the number 2, also if only one half was modelled. Empty
+/// bodies to port and to starboard is one row with the number 2, even if only one half was modelled. Empty
 /// without a net plan.
 std::vector<Material> find_bill(const scenes::LoadedScene& loaded);
 

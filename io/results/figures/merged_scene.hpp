@@ -10,11 +10,12 @@
 
 namespace netloft::results {
 
-/// The values of an option in the command line of a result, such as those of "--set".
+/// All values of an option, such as "--set", in the command line of a result.
 std::vector<std::string> values_of_option(const Origins& origins, const std::string& option);
 
 /// The scene of a result as one table, with its includes and the `--set` options of its command line. No file
-/// is opened. nullopt unless the result has the texts of all of its files, whose paths are added to `paths`.
+/// is opened. The paths of the files are added to `paths`. nullopt unless the result contains the texts of
+/// all its files.
 std::optional<formats::Value> merged_scene(const Origins& origins, std::set<std::string>& paths);
 
 /// A setting of the scene under which the figures of a gear hold.

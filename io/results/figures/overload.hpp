@@ -6,8 +6,8 @@
 namespace netloft::results {
 
 /// Returns a sentence for every part whose tension exceeds its breaking load, except parts in the bill of
-/// materials, which load_warnings() judges. Returns also a sentence for every part with a strain that no rope
-/// or twine bears.
+/// materials, which load_warnings() judges. Also returns a sentence for every part with a strain that no rope
+/// or twine can bear.
 std::vector<std::string> overload_warnings(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                            const Response& answer);
 

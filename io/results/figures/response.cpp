@@ -25,7 +25,7 @@ void add_forces(const Scene& scene, Assembler& assembler, std::size_t f, const K
   }
 }
 
-/// The index of the body of each node of the scene; -1 for nodes that are on no body.
+/// The index of the body of each node of the scene; -1 for nodes that do not belong to a body.
 std::vector<std::int32_t> bodies_by_node(const Scene& scene) {
   std::vector<std::int32_t> bodies(scene.node_count(), -1);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
@@ -47,8 +47,8 @@ std::vector<char> reached_bodies(const ElementFamily& family, std::span<const st
   return reached;
 }
 
-/// Adds the forces of family f on bodies. Forces that are zero now are included, so that a motion has a value
-/// at every output.
+/// Adds the forces of family f on bodies. Includes forces that are zero at present, so that a motion has a
+/// value at every output.
 void add_body_forces(const Scene& scene, Assembler& assembler, std::size_t f, const Kinematics& motion,
                      Response& answer) {
   if (scene.bodies.empty()) return;

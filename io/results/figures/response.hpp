@@ -41,8 +41,8 @@ struct Response {
   std::vector<BodyForce> body_forces;  // forces of all terms, for parts with a node on the body
 };
 
-/// Evaluates all elements of the scene at positions x; without `with_forces` only their outputs, which is
-/// faster. Forces that cannot be evaluated at x are left out.
+/// Evaluates all elements of the scene at positions x. Without `with_forces`, evaluates only their outputs,
+/// which is faster. Leaves out forces that cannot be evaluated at x.
 Response ask_elements(const Scene& scene, Assembler& assembler, std::span<const double> x,
                       const Kinematics& motion = {}, bool with_forces = true);
 

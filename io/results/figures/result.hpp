@@ -63,7 +63,7 @@ struct GearNames {
   std::string headline, footrope;  // names of ropes
 };
 
-/// Other equilibria of the scene, found by restarts of the search from elsewhere.
+/// Other equilibria of the scene, which were found by restarting the search elsewhere.
 struct FoundShapes {
   struct Other {
     // Energy [J]; largest distance of a node from its position in the solution [m].
@@ -76,7 +76,7 @@ struct FoundShapes {
   std::vector<Other> others;
 };
 
-/// The motion that grows out of a small disturbance of an unstable equilibrium, with or without oscillation.
+/// The motion into which a small disturbance of an unstable equilibrium grows, with or without oscillation.
 struct Swing {
   std::string furthest;  // name of the node that moves most
   // Growth rate [1/s]; 0 if it is not known. Angular frequency [rad/s]; 0 if nothing oscillates.
@@ -84,8 +84,8 @@ struct Swing {
   double share = 1;  // fraction of the mass of the gear that it moves (extent.hpp)
 };
 
-/// One solve within the search for the equilibrium: of the scene itself, or of an easier variant (coarser,
-/// for instance).
+/// One solve in the search for the equilibrium. It is of the scene itself, or of an easier variant, such as a
+/// coarser mesh.
 struct Stage {
   std::string name, solver, outcome, sentence;
   netloft_variant variant{};
@@ -107,8 +107,8 @@ struct NumericalLoss {
   double negligible = 0;                  // energy W of energy_judge.hpp [J]; 0 in files of older versions
   double worst = 0, from = 0, until = 0;  // largest loss between two outputs [J], and their times [s]
   std::string node;                       // node whose velocity changed most between these outputs
-  /// Whether the loss exceeds a twentieth of the energies in the motion, given + W. If so, no accuracy
-  /// setting resolves the motion after the loss. W keeps round-off from counting in a motion that is given
+  /// Whether the loss exceeds a twentieth of given + W, the energies in the motion. If it does, no accuracy
+  /// setting resolves the motion after the loss. Because of W, rounding errors do not count in a motion with
   /// little energy.
   bool is_large() const { return std::abs(lost) > 0.05 * (given + negligible); }
   bool is_created() const { return lost < 0; }
@@ -118,12 +118,12 @@ struct NumericalLoss {
 struct Motion {
   // start_from: "the equilibrium", "the sketch" (the initial positions), or a result file.
   std::string integrator, start_from;
-  double time = 0, resumed_from = 0;  // time reached; time from which a killed run was resumed [s]
+  double time = 0, resumed_from = 0;  // present time; time from which a killed run was resumed [s]
   std::int64_t steps = 0, rejected = 0;
   double shortest = 0, longest = 0;  // shortest and longest step made [s]
   double stable_step = 0;            // longest stable step if no member is slack [s]; 0: any step is stable
   std::optional<StartBalance> start;
-  std::optional<AchievedAccuracy> accuracy;  // nullopt: the length of steps was prescribed
+  std::optional<AchievedAccuracy> accuracy;  // nullopt: the scene prescribes the length of steps
   std::optional<NumericalLoss> loss;         // nullopt: energies were not recorded
   std::map<std::string, double> energies;    // energies at the last output [J]
 };
@@ -134,8 +134,8 @@ struct KeySensitivities {
     std::string figure, figure_unit;  // a key figure (key_figures.hpp), and its unit
     std::string path, unit;           // the number as `--set` names it, and its unit as written; empty: none
     double value = 0;                 // the number, in its unit
-    double derivative = 0;            // of the figure with respect to the number, in their units
-    /// Change of the figure when the number grows by one percent of its size, in the unit of the figure.
+    double derivative = 0;            // derivative of the figure with respect to the number, in their units
+    /// Change of the figure if the number increases by one percent, in the unit of the figure.
     double effect() const { return 0.01 * std::abs(value) * derivative; }
   };
   std::string note;       // how many numbers were examined, or why there are no rows
@@ -149,7 +149,7 @@ struct Result {
   std::string title, path;  // title: path of the scene; path: of the result file, empty: none yet
   std::string outcome, sentence, stability, at_fault;  // an empty outcome: the run has not ended
   std::vector<std::string> diagnostics, warnings;
-  std::vector<std::string> notes;  // facts that the file lacks because of its older format
+  std::vector<std::string> notes;  // facts that are missing because the file has an older format
   Origins origins;
   std::string solver, strategy, factorisation;
   std::size_t nodes = 0, elements = 0, states = 1;
@@ -157,7 +157,8 @@ struct Result {
   std::vector<scenes::NettingSheet> netting;  // the panels of its plan that counts and cuttings define
   std::vector<NamedScalar> scalars;           // the numbers that the scene requests in [results]
   std::vector<NamedScalar> figures;           // figures of the gear (gear_figures.hpp)
-  // The meshes from which mesh errors were found, or why there are no mesh errors; empty: not requested.
+  // The meshes from which mesh errors were estimated, or why there are no mesh errors; empty if they were not
+  // requested.
   std::string mesh_note;
   double node_error = NamedScalar::kUnknown;  // largest displacement of a node in one more Newton step [m]
   std::vector<PartLoad> part_forces;          // sorted by term, then by part

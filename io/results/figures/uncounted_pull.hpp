@@ -10,8 +10,8 @@
 
 namespace netloft::results {
 
-/// Warns of holds that pull a towed gear forwards at nodes where no warp begins, because the figures of
-/// towing leave this pull out. An example is the block of a middle warp whose rope has no role in the plan.
+/// Warns of holds that pull a towed gear forwards at nodes where no warp begins. The figures of towing do not
+/// include this pull. An example is the block of a middle warp whose rope has no role in the plan.
 /// `residual`: residual over all degrees of freedom [N].
 std::vector<std::string> uncounted_pull_warnings(const scenes::LoadedScene& loaded,
                                                  const Assembler& assembler, std::span<const double> residual,

@@ -19,8 +19,8 @@ namespace netloft::results {
 namespace {
 
 // A position is reported if it is beyond the surface or the bed by more than this [m]. In gears of the
-// library, netting without contact elements reaches up to 0.31 m below the bed. Mistakes are larger: a float
-// on a line longer than the water depth is 2 m in the air, and a wrong depth gives more.
+// library, netting without contact elements reaches up to 0.31 m below the bed. Mistakes cause larger values:
+// a float on a line that is longer than the water is deep is 2 m in the air; a wrong depth gives even more.
 constexpr double kClearly = 0.5;
 
 /// The part that is furthest beyond a limit (surface or bed), and the number of parts beyond it.
@@ -37,7 +37,7 @@ struct Beyond {
       part = name;
     }
   }
-  /// The subject and verb of a sentence: "top-wing and 3 more parts lie".
+  /// The beginning of a sentence, with subject and verb: "top-wing and 3 more parts lie".
   std::string who() const {
     return parts == 1 ? part + " lies"
                       : fmt::format("{} and {} more part{} lie", part, parts - 1, parts == 2 ? "" : "s");
@@ -70,8 +70,8 @@ class Whereabouts {
     return at[2] - loaded_.scene.bed.at(at[0], at[1])[0];
   }
 
-  /// Parts whose drag or buoyancy would act above the surface, too, because their elements do not know where
-  /// the surface is. Warps are left out.
+  /// Parts on which drag or buoyancy would also act above the surface, because their elements do not know
+  /// where the surface is. Leaves out warps.
   std::set<std::string> feel_water_anywhere() const {
     std::set<std::string> feel, know_surface;
     for (const auto& f : answer_.forces) {
@@ -189,7 +189,7 @@ class Whereabouts {
     return most;
   }
 
-  /// Whether all nodes of a part are nodes of the footrope, as they are for a part that models contact of the
+  /// Whether all nodes of a part belong to the footrope. This is so for a part that models the contact of the
   /// footrope.
   bool stands_on_footrope(std::uint32_t p) const {
     if (!loaded_.gear) return false;

@@ -10,8 +10,9 @@ namespace netloft::results {
 
 /// The shape of a rigid body, such as an otter board, in one state, for pictures.
 struct BodyPlate {
-  std::uint32_t dot = 0;  // the element at the origin of the body, an index into StoredMesh::dots
-  std::vector<std::array<double, 3>> triangles{};  // three corners each, in world coordinates [m]
+  std::uint32_t dot = 0;  // index in StoredMesh::dots of the element at the origin of the body
+  std::vector<std::array<double, 3>> triangles{};  // three corners for each triangle, in world coordinates
+                                                   // [m]
 };
 
 /// The shapes of all bodies that have an outline and an element at their origin.

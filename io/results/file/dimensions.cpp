@@ -26,8 +26,8 @@ Dimension spread_of(const std::string& name, const std::vector<std::uint32_t>& r
           starboard};
 }
 
-/// Nodes on which a hold acts: those with a reaction along x or z. The plane of symmetry gives reactions
-/// along y only.
+/// Nodes on which a hold acts. They have a reaction along x or z, whereas the plane of symmetry causes
+/// reactions along y only.
 std::vector<std::uint32_t> held_nodes(const StoredShape& stored) {
   const auto reaction = stored.node_field("reaction", stored.times.size() - 1);
   std::vector<std::uint32_t> held;

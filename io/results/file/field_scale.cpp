@@ -13,7 +13,8 @@ namespace {
 constexpr double kLeastOfLargest = 1e-4;
 // The middle range of n values leaves out the n/kBeyond smallest and the n/kBeyond largest.
 constexpr std::size_t kBeyond = 50;
-constexpr std::size_t kSample = 20000;  // most values of one state from which the middle range is found
+constexpr std::size_t kSample = 20000;  // number of values of a state from which the middle range is
+                                        // estimated
 constexpr double kTicks = 6;            // largest number of ticks of a legend
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `most`.
@@ -111,7 +112,7 @@ Scale FieldSpread::logarithmic(bool middle) const {
 
 FieldSpreads spreads_of(const StoredShape& stored, const std::string& field) {
   FieldSpreads spreads;
-  // For a static solve only the last state counts, because states of earlier stages are not equilibria.
+  // In a static solve, only the last state counts, because the states of earlier stages are not equilibria.
   const std::size_t first = stored.stages.empty() ? 0 : stored.times.size() - 1;
   for (std::size_t state = first; state < stored.times.size(); ++state) {
     const auto values = stored.field(field, state);

@@ -13,8 +13,8 @@ namespace netloft::results {
 namespace {
 
 /// Whether the elements of a family (all elements of one type) become cells of the picture. They do if they
-/// are between nodes of their own part, on single nodes, or on origins of bodies. Elements on the nodes or
-/// elements of other parts get no cells, because they would hide those parts.
+/// are between nodes of their own part, on single nodes, or on origins of bodies. Elements on nodes or
+/// elements of other parts do not become cells, because they would hide those parts.
 bool is_drawn(const scenes::LoadedScene& loaded, const ElementFamily& family) {
   if (family.repeated()) return false;
   if (family.type().element.stencil == NETLOFT_NODE || family.type().is_on_body()) return true;
@@ -44,8 +44,8 @@ class PanelPlaces {
     }
     return best;
   }
-  /// The coordinates of the first of `nodes` that has only one pair. With these coordinates as `near`,
-  /// nearest() chooses the pair of every other node on the same side of the seam.
+  /// The coordinates of the first node in `nodes` that has only one pair. If they are passed to nearest() as
+  /// `near`, it chooses, for every other node, the pair on the same side of the seam.
   PanelPoint anchor(std::span<const std::uint32_t> nodes) const {
     for (const auto node : nodes)
       if (places_.count(node) == 1) return places_.find(node)->second;
@@ -57,7 +57,7 @@ class PanelPlaces {
   std::multimap<std::uint32_t, PanelPoint> places_;
 };
 
-/// The coordinates U, V of three corners; NaN if the cell is on no panel, or if two of its corners are one
+/// The coordinates U, V of three corners; NaN if the cell is not on a panel, or if two of its corners are one
 /// node (gathered netting).
 std::array<double, 6> corners_on_panel(const PanelPlaces& panel, std::span<const std::uint32_t> nodes) {
   std::array<double, 6> corners;

@@ -27,10 +27,10 @@ std::optional<std::pair<formats::FieldSpec, std::vector<double>>> rotation_field
 /// Fields that label points with their part and their position on its panel, and cells with their part.
 std::vector<formats::StaticField> label_points(const scenes::LoadedScene& loaded);
 formats::StaticField label_cells(const scenes::LoadedScene& loaded, const Assembler& assembler);
-/// Makes cell fields of the element outputs. Outputs with the same name, of whatever family (element type),
-/// are in one field, and elements without this output have the value NaN. Elements on the netting of other
-/// parts, such as the catch in a cod-end, have no cells of their own and use the cells between the same
-/// nodes. The constructor finds these cells.
+/// Makes cell fields of the element outputs. Outputs with the same name are in one field, even if they belong
+/// to different families (element types). Elements without this output have the value NaN. Elements on the
+/// netting of other parts, such as the catch in a cod-end, have no cells of their own and use the cells
+/// between the same nodes. The constructor finds these cells.
 class OutputFields {
  public:
   OutputFields(const scenes::LoadedScene& loaded, const Assembler& assembler);

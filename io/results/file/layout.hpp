@@ -4,8 +4,8 @@
 
 namespace netloft::results {
 
-// Each function visits members of a Result with their place in the file, below /netloft
-// (io/formats/hdf5/LAYOUT.md). Writing and reading share them: `file` and `r` are a RecordWriter and a
+// Each function visits members of a Result together with their place in the file, below /netloft
+// (io/formats/hdf5/LAYOUT.md). The functions serve both directions: `file` and `r` are a RecordWriter and a
 // constant Result, or a RecordReader and the Result that it fills.
 
 template <class File, class AnyOrigins>
@@ -168,7 +168,7 @@ void visit_motion(File&& file, AnyMotion& m) {
   });
 }
 
-/// Visits other equilibria that were found, and the motion that grows out of a disturbance of the solution.
+/// Visits other equilibria that were found, and the motion into which a disturbance of the solution grows.
 template <class File, class AnyResult>
 void visit_others(File&& file, AnyResult& r) {
   file.sometimes("shapes", r.shapes, [&](auto& s) {
@@ -233,7 +233,7 @@ void visit_ending(File&& file, AnyResult& r) {
   visit_sensitivities(file, r);
 }
 
-/// Errors and ranges of the number `s`; `below` is "gear/" for a figure of a gear, else empty.
+/// Errors and ranges of the number `s`; `below` is "gear/" for a figure of a gear, otherwise empty.
 template <class File, class AnyScalar>
 void visit_errors(File&& file, const std::string& below, AnyScalar& s) {
   const std::string error = "errors/" + below, spread = "spread/" + below;

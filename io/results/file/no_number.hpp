@@ -4,7 +4,7 @@
 
 namespace netloft::results {
 
-/// The number (NaN) that stands in a field or a table where there is no number.
+/// The value (NaN) in a field or a table that means "no number".
 inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace netloft::results

@@ -38,8 +38,8 @@ void walk(const formats::Reader& reader, const std::string& group, const Take& t
   }
 }
 
-/// Sorts numbers in the listed order. Names that are not in the list follow in alphabetical order; older
-/// versions wrote no list.
+/// Sorts numbers in the listed order. Names that are not in the list follow in alphabetical order. (Older
+/// versions wrote no list.)
 void put_in_order(const std::vector<std::string>& order, std::vector<NamedScalar>& named) {
   std::map<std::string, std::size_t> places;
   for (const auto& name : order) places.emplace(name, places.size());

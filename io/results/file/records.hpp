@@ -64,7 +64,7 @@ class RecordWriter {
   void names(const std::string& at, const std::vector<Row>& rows, Member member, const char* doc = "") {
     column(at, rows, member, "", doc);
   }
-  /// Writes a part of the result if the result has it. The reader expects this part if the dataset, group or
+  /// Writes an optional part of the result if it exists. The reader expects the part if the dataset, group or
   /// attribute `at` exists.
   template <class Part, class Visit>
   void sometimes(const std::string&, const std::optional<Part>& part, const Visit& visit) {

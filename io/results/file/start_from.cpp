@@ -34,7 +34,7 @@ bool are_alike(const PartNumbers& a, const PartNumbers& b) {
                     [](const auto& p, const auto& q) { return p.first == q.first; });
 }
 
-/// Takes the positions of one part after another from the result. Each carry_ function is one way to do so.
+/// Takes the positions of one part after another from the result. Each function carry_… is one way to do so.
 class Carrier {
  public:
   Carrier(const StoredShape& stored, const scenes::LoadedScene& loaded)
@@ -67,11 +67,11 @@ class Carrier {
   }
 
  private:
-  /// How a part of the scene takes its positions from a part of the result. `all`: node by node, because both
-  /// gears have the same extent. The other values are for a result of a half gear, which has the starboard
-  /// side only, and a scene of the whole gear. `both`: a part in the middle takes its starboard half from the
-  /// result. `starboard`, `port`: both parts of a pair take theirs from the starboard part. Mirror images
-  /// give the port side.
+  /// How a part of the scene gets its positions from a part of the result. `all`: for all nodes, because both
+  /// gears have the same extent. The other values are for a scene of the whole gear and a result of half a
+  /// gear, which has the starboard side only. `both`: a part in the middle, whose starboard half is in the
+  /// result. `starboard`, `port`: the parts of a pair, both from the starboard part. Positions on the port
+  /// side are mirror images.
   enum class Side { all, both, starboard, port };
   struct Source {
     std::optional<std::uint32_t> part;
@@ -108,7 +108,7 @@ class Carrier {
     }
   }
 
-  /// Takes both halves of a part from a result that has its starboard half only.
+  /// Takes both halves of a part from a result that has the starboard half only.
   void carry_halves(std::uint32_t there, std::size_t here) {
     if (is_rope(here)) {
       if (const Part rope = rope_of(there); !rope.nodes.empty())
@@ -201,7 +201,7 @@ class Carrier {
 
   const StoredShape& stored_;
   const scenes::LoadedScene& loaded_;
-  std::vector<double> x_, images_, positions_;  // images_: x_ mirrored in the plane of symmetry, y = 0
+  std::vector<double> x_, images_, positions_;  // images_: x_ mirrored at the plane of symmetry, y = 0
 };
 
 }  // namespace

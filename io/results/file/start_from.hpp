@@ -8,10 +8,10 @@ namespace netloft::results {
 /// Positions of the nodes of a scene [m], 3 per node, taken from a result as an initial guess. A part of the
 /// scene takes them from the part of the result with the same name. If both parts are divided into elements
 /// in the same way, nodes correspond by number. Otherwise the nodes of a panel or rope are interpolated at
-/// their place on the netting or along the rope. If the result is a half gear and the scene the whole gear,
-/// the starboard part of a pair serves both sides, and a part in the middle is completed by its mirror image.
-/// Nodes of parts that the result lacks keep their initial positions. Throws FileError if the result has none
-/// of the parts.
+/// their place on the netting or along the rope. If the result is half a gear and the scene the whole gear,
+/// the starboard part of a pair is used for both sides, and a part in the middle is completed by its mirror
+/// image. Nodes of parts that are not in the result keep their initial positions. Throws FileError if none of
+/// the parts is in the result.
 std::vector<double> positions_from(const StoredShape& stored, const scenes::LoadedScene& loaded);
 
 }  // namespace netloft::results

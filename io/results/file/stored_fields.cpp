@@ -15,7 +15,7 @@ namespace {
 // Names of fields that are computed from stored ones: the larger tension of the two twine directions, the
 // opening of meshes, and the water force per length of rope or area of netting.
 constexpr const char *kTension = "tension", *kOpening = "opening", *kWaterForce = "water_force";
-// Outputs that are totals over an element and so grow with its size.
+// Outputs that are totals over an element, and therefore depend on its size.
 constexpr std::array kTotals = {output::kDrag.name, output::kKnots.name, output::kMass.name,
                                 output::kTwineArea.name, output::kVolume.name};
 

@@ -12,8 +12,8 @@
 
 namespace netloft::results {
 
-/// A part of the scene, as a result file describes it. NaN marks numbers that the part does not have, or that
-/// an old file lacks.
+/// A part of the scene, as a result file describes it. A number is NaN if the part does not have it, or if it
+/// is missing in an old file.
 struct StoredPart {
   std::string name, type;
   double diameter = 0, bar = 0;  // diameter of twine, rope or float; length of a mesh bar [m]
@@ -48,8 +48,8 @@ struct StoredField {
   std::string name;
   std::array<std::string, kCellKinds> units;  // one unit for each kind of cell
   std::string doc;
-  // Whether the value is a total over a cell, such as a mass. Colours of such a field would show the size of
-  // the cells.
+  // Whether the value is a total over a cell, such as a mass. Colours of such a field would mainly show the
+  // size of the cells.
   bool is_total = false;
 
   const std::string& unit(CellKind kind) const { return units[static_cast<std::size_t>(kind)]; }
@@ -83,7 +83,7 @@ struct StoredSeries {
 /// the file on request (io/formats/hdf5/LAYOUT.md).
 class StoredShape {
  public:
-  /// Throws FileError with a sentence if read_result() does, or if the file holds no shape.
+  /// Throws FileError with a sentence if read_result() does, or if the file does not contain a shape.
   explicit StoredShape(const std::filesystem::path& path);
 
   Result result;
@@ -91,7 +91,7 @@ class StoredShape {
   StoredMesh mesh;
   std::vector<StoredBody> bodies;
   std::vector<double> times;
-  // The name of each state: the start, the end of a stage, the result. Empty: only the result.
+  // The name of each state: the start, the end of a stage, the result. Empty if there is only the result.
   std::vector<std::string> stages;
   std::vector<StoredField> fields;
   std::optional<StoredBed> bed;

@@ -34,7 +34,7 @@ using Axes = std::array<double, 4>;
 
 /// Returns a, b, c, d of u = a U + b V, v = c U + d V, the twine coordinates as functions of the panel
 /// coordinates. These functions are linear over the whole panel and found from the corners of one triangle.
-/// Triangles with a node of a seam that closes the panel are left out, because such a node has two pairs (U,
+/// Triangles with a node on a seam that closes the panel are not used, because such a node has two pairs (U,
 /// V).
 Axes axes_of(const Part& part, const scenes::PartGeometry& geometry) {
   const auto *u = find_data(part.data, datum::kU), *v = find_data(part.data, datum::kV);

@@ -130,7 +130,7 @@ std::string outcome_in(const std::filesystem::path& result) {
   try {
     return formats::Reader(result).text_attribute("/netloft/status", "outcome");
   } catch (const formats::FileError&) {
-    return {};  // not a result of this program: it may be replaced, and is kept as NAME.hdf~
+    return {};  // not a result of this program, so that it may be replaced; it is kept as NAME.hdf~
   }
 }
 

@@ -33,7 +33,7 @@ void write_inputs(formats::Tree& tree, const scenes::LoadedScene& loaded, const 
 void write_ending(formats::Tree& tree, const Result& result);
 
 /// The path under which a result with this outcome is written, so that a worse result never replaces a better
-/// one: `wanted`, or NAME.not-converged.hdf beside it if `wanted` exists and has a better outcome.
+/// one: `wanted`, or beside it NAME.not-converged.hdf if `wanted` exists and has a better outcome.
 std::filesystem::path name_beside_better(const std::filesystem::path& wanted, const std::string& outcome);
 
 /// Writes a static result with its shapes into `file` (layout: io/formats/hdf5/LAYOUT.md). The file is then

@@ -7,8 +7,8 @@
 
 namespace netloft::results {
 
-/// The data from which a motion that was interrupted continues, so that its further outputs and its report
-/// have the same bits as without the interruption.
+/// The data that an interrupted motion needs to continue such that its further outputs and its report are the
+/// same, bit by bit, as without the interruption.
 struct Checkpoint {
   MarchState state;
   MotionFindings findings;

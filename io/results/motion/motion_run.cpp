@@ -25,8 +25,8 @@ namespace {
 
 const std::string kEnergy = "energy/", kGear = "gear/";
 
-/// Computes one motion. The journal, the file NAME.hdf.part, is created at the first output, because only
-/// then the layout of an output is known.
+/// Computes one motion. The journal, the file NAME.hdf.part, is created at the first output, because the
+/// layout of an output is not known before.
 class MotionRun {
  public:
   MotionRun(runs::PreparedScene& scene, const RunContext& context, const MotionOptions& options)
@@ -58,7 +58,7 @@ class MotionRun {
   }
 
  private:
-  /// The state of rest at displacements u, from which a motion starts. Elements remember u as their last
+  /// The state of rest at displacements u, in which a motion starts. Elements remember u as their last
   /// accepted step.
   MarchState rest_at(std::span<const double> u) {
     runs::remember(scene_, u);
@@ -95,15 +95,16 @@ class MotionRun {
     ++outputs_;
   }
   void begin_journal() {
-    // The search for the equilibrium at the start may have set lengths in the bill of materials.
+    // The bill is made again, because the search for the equilibrium at the start may have set lengths of
+    // ropes.
     result_.materials = find_bill(loaded_);
     const auto origins =
         formats::hdf5_image([&](formats::Tree& tree) { write_inputs(tree, loaded_, result_); });
     journal_.emplace(formats::SeriesJournal::create(part_path(), options_.identity, origins, layout_));
   }
 
-  /// Restores the last output of a run that was killed after its last time step, so that only the result file
-  /// has to be made.
+  /// Restores the last output of a run that was killed after its last time step. Only the result file then
+  /// remains to be made.
   void recall_last_output() {
     describe_layout_of_killed(*from_);
     journal_->require_layout(layout_);
@@ -222,8 +223,8 @@ class MotionRun {
     }
   }
 
-  /// Adds the figures of the gear, as columns of a series that the first output determines; a figure that a
-  /// later output lacks is NaN.
+  /// Adds the figures of the gear, as columns of a series. The first output determines the columns; a figure
+  /// that is missing in a later output is NaN.
   void add_gear(const Snapshot& at, const Response& answer, formats::SeriesState& state) {
     result_.figures = find_figures(loaded_, scene_.assembler(), answer);
     add_warp_figures(loaded_, scene_.assembler(), at, result_.figures);
@@ -247,8 +248,8 @@ class MotionRun {
     return columns;
   }
 
-  /// Adds the time to which the forces belong: an output between two steps has the forces at the end of a
-  /// step.
+  /// Adds the time to which the forces belong, because an output between the ends of steps has the forces at
+  /// the end of a step.
   void add_moment_of_forces(const Snapshot& at, formats::SeriesState& state) {
     if (!loaded_.analysis.dynamics.march.dense) return;
     layout_.columns.push_back({"forces_time", "s", "end of the step to which forces and outputs belong"});
@@ -292,8 +293,8 @@ class MotionRun {
     }
     try {
       make_file();
-    } catch (
-        const formats::Interrupted&) {  // the journal has all outputs; a resumed run makes the file from it
+    } catch (const formats::Interrupted&) {  // no loss: the journal has all outputs, and a resumed run makes
+                                             // the file from it
       march.status = MarchStatus::interrupted;
       march.reason = "interrupted while the result was written";
       result_.outcome = name_of(march.status);
@@ -327,7 +328,7 @@ class MotionRun {
   std::optional<double> answered_at_;
   std::optional<MarchState> from_;
   std::optional<formats::SeriesJournal> journal_;
-  // Number of outputs in the journal, and how many of them an earlier run wrote.
+  // Number of outputs in the journal, and number of those that an earlier run wrote.
   std::size_t outputs_ = 0, outputs_before_ = 0;
   std::vector<std::string> energies_;  // names of the energies, in the order of their columns
   Result result_;

@@ -19,7 +19,7 @@ struct MotionOptions {
   std::filesystem::path output;
   bool resume = false;                            // continue from NAME.hdf.part
   std::optional<std::vector<double>> start = {};  // displacements at the start; nullopt: those of the scene
-  // Identifies the scene with its changes; a run is resumed only if this text is equal.
+  // Identifies the scene with its changes; a run is resumed only if this text is the same.
   std::string identity;
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const StepRecord&)> on_step;
@@ -30,8 +30,8 @@ struct MotionOptions {
 
 /// Integrates the motion of the scene in time as its analysis says, and writes every output into the file
 /// NAME.hdf.part: shapes and fields, the named results and the energy budget as series, and the state from
-/// which to resume. When the motion has ended, makes the result file from the .part; an interrupted motion
-/// keeps the .part. Throws FileError.
+/// which to resume. When the motion has ended, makes the result file from the .part; after an interruption,
+/// the .part remains. Throws FileError.
 MotionResult run_motion(runs::PreparedScene& scene, const RunContext& context, const MotionOptions& options);
 
 }  // namespace netloft::results

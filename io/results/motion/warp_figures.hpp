@@ -7,8 +7,7 @@
 namespace netloft::results {
 
 /// Adds the figures of warps that exist only in a motion: their present length, the load on their blocks, and
-/// the speed at which a constant-tension winch pays out. If `gear` has a figure of the same name, it is
-/// replaced.
+/// the speed at which a constant-tension winch pays out. A figure of the same name in `gear` is replaced.
 void add_warp_figures(const scenes::LoadedScene& loaded, const Assembler& assembler, const Snapshot& at,
                       std::vector<NamedScalar>& gear);
 

@@ -12,7 +12,7 @@ namespace netloft::results {
 namespace {
 
 /// A dataset with the rows of all states; those of a state begin at offsets[state]. `before` and `after` are
-/// the XML around the position of a state in the file.
+/// the XML texts around the position of a state in the file.
 struct SteppedArray {
   std::string before, after;
   std::uint64_t place;  // position of the array in the file [bytes]

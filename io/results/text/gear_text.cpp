@@ -16,8 +16,8 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-/// Adds the names that follow `group` in the names of figures to `members`, in the order of the figures, each
-/// once: "headrope" for "ropes/headrope/tension_end" and the group "ropes/".
+/// Adds the members of a group to `members`, each once and in the order of the figures. For example, the
+/// group "ropes/" has the member "headrope" because of the figure "ropes/headrope/tension_end".
 void add_members(const std::vector<NamedScalar>& figures, const std::string& group,
                  std::vector<std::string>& members) {
   for (const auto& figure : figures) {
@@ -33,7 +33,7 @@ void add_members(const std::vector<NamedScalar>& figures, const std::string& gro
 struct Column {
   std::string heading, before, after;
   const char* format = "{:.5g}";
-  bool is_of_all = false;  // true: a figure in this column alone does not give a member a row
+  bool is_of_all = false;  // whether a member gets no row if it has a figure in this column only
   double factor = 1;       // factor from SI units to the unit of the heading
 };
 

@@ -14,7 +14,7 @@ struct FigureTable {
   std::string title;
   std::vector<std::string> headings;  // headings of the cells
   std::vector<Row> rows;
-  bool is_for_deck = false;  // boards and warps: what a skipper reads first
+  bool is_for_deck = false;  // whether it is about boards and warps, which skippers read first
   std::string note = {};     // a line below the rows
 };
 

@@ -19,7 +19,7 @@ std::string measured(const NamedScalar& scalar, const char* format = "{:.6g}");
 /// A unit in its usual spelling: "m²" for "m2", an empty text for "1".
 std::string unit_text(const std::string& unit);
 
-/// "3 kn"; the text alone if there is no unit.
+/// A text with its unit, such as "3 kn"; the text alone if there is no unit.
 std::string text_with_unit(const std::string& text, const std::string& unit);
 
 /// The unit of a derivative: "m per kn".

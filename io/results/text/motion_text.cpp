@@ -21,7 +21,8 @@ std::string start_text(const Motion& m) {
       m.start_from, m.start->residual, m.start->node, m.start->load);
 }
 
-/// A warning if the time scheme removed or added so much energy that the motion depends on it; empty if not.
+/// A warning if the time scheme has removed or added so much energy that it affects the motion; otherwise
+/// empty.
 std::string loss_text(const std::optional<NumericalLoss>& l) {
   if (!l || !l->is_large()) return "";
   if (l->is_created())
@@ -49,7 +50,7 @@ std::string chaos_text(const AchievedAccuracy& a) {
 }
 
 /// The error of the path, and whether it meets the requested accuracy. In a chaotic motion, it is the error
-/// until the motion cannot be predicted; it is unknown if no output can be predicted.
+/// up to the time from which the motion cannot be predicted; it is unknown if no output can be predicted.
 std::string error_text(const AchievedAccuracy& a) {
   const char* until = a.is_predictable() ? "" : " until it cannot be predicted";
   if (std::isnan(a.path) && !a.is_predictable()) return "";

@@ -13,7 +13,7 @@ struct PlanExtras {
   std::size_t matrix_entries = 0;
   int threads_given = 1, threads_used = 1;
   std::string strategy, attempts;  // attempts: one line with a reason for each attempt of the strategy
-  std::string material_damping;    // which loss factors count in a motion, or why none does
+  std::string material_damping;    // which loss factors are used in a motion, or why none is
   // Expected memory: total, factor, stability check [bytes]
   double memory = 0, factor_memory = 0, stability_memory = 0;
 };

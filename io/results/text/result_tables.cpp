@@ -13,8 +13,8 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-/// Adds a table with a row for every number whose member `known` is finite; of figures, only the principal
-/// ones get a row. A table without rows is not added.
+/// Adds a table with a row for every number whose member `known` is finite; among figures, only the principal
+/// figures get a row. Adds no table without rows.
 template <class MakeCells>
 void add_dependence_table(const Result& result, double NamedScalar::*known, FigureTable table,
                           const MakeCells& cells, std::vector<FigureTable>& tables) {
@@ -47,7 +47,7 @@ void add_swing(const Result& result, std::vector<FigureTable>& tables) {
       tables);
 }
 
-/// The change of a figure in percent of its value; "-" if that is not known or zero.
+/// The change of a figure in percent of its value; "-" if the change is not known or the value is zero.
 std::string percent_text(const Result& result, const KeySensitivities::Row& row) {
   const NamedScalar* figure = find_scalar(result.scalars, row.figure);
   if (!figure) figure = find_scalar(result.figures, row.figure);

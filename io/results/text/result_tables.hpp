@@ -6,7 +6,7 @@
 namespace netloft::results {
 
 /// All tables of a report in their order, except the bill of materials, for text and HTML alike. Besides the
-/// tables of a gear (gear_text.hpp) there are, each left out if empty:
+/// tables of a gear (gear_text.hpp), these are the following, unless they are empty:
 ///   a table of the least and the largest value of every number over the equilibria that were found;
 ///   a table of the numbers of the scene on which the key figures depend most;
 ///   a table of the changes of the numbers in a growing motion, per metre of the largest displacement of a

@@ -15,9 +15,10 @@ std::string result_csv(const Result& result);
 
 /// The outcome of a run in words: "converged, stable equilibrium", "unstable equilibrium, swinging".
 std::string ending_text(const Result& result);
-/// A sentence about the errors of the numbers, for a glance: whether ± has them, or why they are not known.
+/// A short sentence about the errors of the numbers: whether ± contains them, or why they are not known.
 std::string short_errors_text(const Result& result);
-/// The same with the meshes from which errors were found, and the figures that do not converge.
+/// A longer text that also gives the meshes from which errors were estimated, and the figures that do not
+/// converge.
 std::string errors_text(const Result& result);
 
 }  // namespace netloft::results

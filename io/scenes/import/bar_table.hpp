@@ -45,7 +45,7 @@ struct BarTable {
   std::vector<TableNode> nodes;
   std::vector<TableRope> ropes;
   std::vector<TableResult> results = {};
-  // Density [kg/m³], gravity [m/s²] and depth [m] of the water.
+  // Density [kg/m³] and depth [m] of the water, and gravity [m/s²].
   double density = 1025, gravity = kStandardGravity, depth = 0;
 };
 

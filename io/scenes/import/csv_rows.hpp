@@ -14,11 +14,12 @@ struct CsvCell {
   formats::Place place;
 };
 
-/// Splits a text into rows and cells (RFC 4180): cells with a separator, a quote or a line end are in quotes,
-/// and a quote within them is doubled. Lines end with LF, CR LF or CR.
+/// Splits a text into rows and cells (RFC 4180): cells that contain a separator, a quote or a line end are in
+/// quotes, and quotes within them are doubled. Lines end with LF, CR LF or CR.
 class CsvRows {
  public:
-  /// `text` must outlive this object. Cells are separated by the first comma, semicolon or tab of the text.
+  /// `text` must outlive this object. The separator of cells is whichever of comma, semicolon and tab comes
+  /// first in the text.
   CsvRows(std::string_view text, int file);
 
   /// The next row that is not blank; an empty list at the end of the text. Lines that begin with # are

@@ -8,8 +8,8 @@
 //   inner nodes at u, v = whole multiples of step/l₀                                                   (3)
 // U, V are the panel coordinates in meshes, Δu and Δv the differences between the ends of a side, l₀ [m] the
 // mesh side, step [m] the meshing step. A Delaunay triangulation connects the nodes in a plane whose
-// coordinates are U l₀ and √3 V l₀. In this plane meshes are opened by one half, and the nodes (3) form a
-// lattice of equilateral triangles.
+// coordinates are U l₀ and √3 V l₀. In this plane, meshes are half open, and the nodes (3) form a lattice of
+// equilateral triangles.
 #include "io/formats/mesh/mesh.hpp"
 #include "io/gears/meshing/border_sides.hpp"
 #include "io/gears/meshing/triangulation.hpp"
@@ -173,8 +173,8 @@ class Divider {
     diagnostics_.error(place, message, hint);
   }
 
-  /// All panels and cables in the order in which they are divided: first those in the meshing order of the
-  /// file, then the rest.
+  /// All panels and cables in the order in which they are divided: first those that the meshing order of the
+  /// file lists, then the others.
   std::vector<LinkPoint> order() const {
     std::vector<LinkPoint> all;
     std::vector<bool> has_panel(gear_.panels.size()), has_cable(gear_.cables.size());

@@ -10,14 +10,14 @@ namespace netloft::scenes::femnet {
 
 /// Reads the text of a .don, a gear file of FEMNET, as FEMNET does. In the first part of the file every value
 /// follows a colon, and the words before the colons do not matter; the second part, the tail, consists of
-/// words. After an error in the first part the scanner reads nothing more, because it would read all later
-/// values from wrong positions.
+/// words. After an error in the first part, the scanner stops, because it would read all later values from
+/// wrong positions.
 class DonScanner {
  public:
   DonScanner(std::string text, int file, formats::Diagnostics& diagnostics);
 
   bool has_failed() const { return has_failed_; }
-  /// Moves behind the next colon. `what` names the expected value in errors.
+  /// Moves to the position after the next colon. `what` names the expected value in errors.
   bool skip_colon(const char* what);
   /// The number after the next colon. If there is none, the result is 0, with a warning.
   double real(const char* what);
@@ -27,16 +27,17 @@ class DonScanner {
   /// A required number at this place, in a row or as argument of a keyword.
   double next_real(const char* what);
   int next_integer(const char* what);
-  /// The number at this place if there is one; otherwise only blanks are skipped.
+  /// The number at this place, if there is one. If not, skips blanks only.
   std::optional<double> try_real(bool whole = false);
   /// The text between two # signs after the next colon.
   std::string text_in_hashes(const char* what);
   /// Moves to the end of the line in which the next word is.
   void skip_worded_line();
-  /// Returns the last word before the next colon and moves behind this colon; does not move if another kind
-  /// of word follows.
+  /// Returns the last word before the next colon, and moves to the position after this colon. Does not move
+  /// if another kind of word follows.
   std::optional<std::string> word_before_colon();
-  /// Moves behind the next word if it begins with this letter, and returns whether it did.
+  /// If the next word begins with this letter, moves to the position after the word. Returns whether it
+  /// moved.
   bool try_word(char first_letter);
 
   /// The next word of the tail; an empty text at the end of the file.

@@ -24,7 +24,8 @@ struct HauledBar {
 std::optional<std::vector<HauledBar>> haul(const GearFile& gear, const MeshFile& file);
 
 inline constexpr double kMostHauls = 2e7;  // limit of time steps times bars; this many take about a second
-/// Tolerance of the lengths [m]: a tenth of what a drum hauls at 0.2 m/s in one time step of FEMNET.
+/// Tolerance of the lengths [m]: a tenth of the length that a drum hauls at 0.2 m/s in one time step of
+/// FEMNET.
 inline constexpr double kHauledWithin = 1e-4;
 
 }  // namespace netloft::scenes::femnet

@@ -4,14 +4,14 @@
 
 namespace netloft::scenes::femnet {
 
-/// Groups corners of panels and ends of cables that are one point of the gear: those that a link names
-/// together, and those that are closer in the drawing than the link distance.
+/// Groups corners of panels and ends of cables that are the same point of the gear: because a link names them
+/// together, or because they are closer in the drawing than the link distance.
 class GearLinks {
  public:
   /// A link to a corner or end that does not exist is an error at the place of the link.
   GearLinks(const GearFile& gear, formats::Diagnostics& diagnostics);
 
-  /// The number of the point at which a corner or end is; linked corners and ends have the same number.
+  /// The number of the point of a corner or end. Linked corners and ends have the same number.
   std::size_t point(const LinkPoint& at) { return leader(index(at)); }
 
  private:

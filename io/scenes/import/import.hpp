@@ -22,8 +22,8 @@ struct ImportRequest {
   std::filesystem::path gear;  // GEAR.don, GEAR.csv
   std::filesystem::path mesh;  // empty: GEAR.mdg beside the gear, if it exists and fits the gear
   std::string own_mesh;        // name of the mesh file that is written and that the scene uses
-  bool divides = false;        // true: divide the gear anew, even if it has a mesh
-  bool moves = false;          // true: the scene is a motion, with waves and drums (FEMNET only)
+  bool divides = false;        // whether to divide the gear anew, even if it has a mesh
+  bool moves = false;          // whether the scene is a motion, with waves and drums (FEMNET only)
 };
 
 /// Reads a gear of FEMNET with its mesh. Errors, warnings and left-out features are added to `diagnostics`
@@ -47,7 +47,7 @@ struct FolderCheck {
   std::vector<Gear> gears;
   std::map<std::string, int> needs;     // number of gears that need each left-out feature
   std::map<std::string, int> features;  // number of gears that use each feature of FEMNET
-  int whole = 0;                        // number of gears without a left-out feature
+  int whole = 0;                        // number of gears that use no left-out feature
 };
 FolderCheck check_folder(const std::filesystem::path& folder, bool moves = false);
 

@@ -17,7 +17,7 @@ std::string waves_text(const Environment& e);
 /// The waves have the amplitude a [m] and the wave number k [1/m], in water of the depth h [m].
 double rise_of_second_order(const Environment& e);
 
-/// The table [analysis] of a motion that begins at rest and lasts as long as that of the file.
+/// The table [analysis] of a motion that begins at rest and lasts as long as the motion in the file.
 std::string motion_text(const Environment& e);
 
 }  // namespace netloft::scenes::femnet

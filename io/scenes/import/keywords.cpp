@@ -30,7 +30,7 @@ constexpr const char* kIdle[] = {"Auto_convergence",
                                  "paraview",
                                  "nrj",
                                  "haul"};
-/// Keywords that change the drawing, and so have no effect if the gear has a mesh already.
+/// Keywords that change the drawing. They have no effect if the gear has a mesh already.
 constexpr const char* kOfMesher[] = {"type_noeud_*", "rope_X",       "add_*",   "rot_*",
                                      "homothety",    "translation*", "symmetr*"};
 /// Keywords for a motion, which have no effect at rest.

@@ -8,7 +8,7 @@ namespace netloft::scenes {
 struct MooringFile {
   struct Finding {
     formats::Place place;
-    bool is_left_out = false;  // true: results differ without the feature
+    bool is_left_out = false;  // whether results differ without the feature
     std::string text;
   };
   BarTable table;

@@ -65,7 +65,7 @@ std::string in_capitals(std::string_view text) {
 
 MoordynSection section_named(const std::string& title) {
   using enum MoordynSection;
-  // The first entry that matches counts, so that ROD TYPES must be before RODS.
+  // The first matching entry is used. Therefore ROD TYPES must come before RODS.
   static const std::pair<const char*, MoordynSection> known[] = {{"LINE TYPES", line_types},
                                                                  {"LINE DICTIONARY", line_types},
                                                                  {"ROD TYPES", rod_types},

@@ -25,15 +25,15 @@ enum class MoordynSection {
 /// The section that begins with `title`, which is in capitals.
 MoordynSection section_named(const std::string& title);
 
-/// The effect that an option has in MoorDyn, for options that a scene cannot represent; nullopt for other
-/// options. `name` is in capitals.
+/// If a scene cannot represent an option, the effect of the option in MoorDyn; otherwise nullopt. `name` is
+/// in capitals.
 std::optional<std::string> meaning_of_option(const std::string& name);
 
 /// Whether an option selects waves or currents; `name` is in capitals.
 bool is_option_of_water(const std::string& name);
 
-/// An end of a line, whose tension an output of MoorDyn names: FairTen3 and Line3TenB mean the end of line 3,
-/// AnchTen3 and Line3TenA its start.
+/// The end of a line whose tension is an output of MoorDyn: FairTen3 and Line3TenB are for the end of line 3,
+/// AnchTen3 and Line3TenA for its start.
 struct EndTension {
   std::string line;
   bool is_at_start = false;

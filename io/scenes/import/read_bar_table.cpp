@@ -279,7 +279,8 @@ class TableOfBars {
     return {};
   }
 
-  /// Checks that a bar ends at every node: holds and loads act through bars, and truncated files lack bars.
+  /// Checks that a bar ends at every node. Nodes without bars are a sign of a truncated file, and holds and
+  /// loads could not act there.
   void check_ends() {
     std::vector<bool> is_used(table_.nodes.size());
     for (const auto& rope : table_.ropes)

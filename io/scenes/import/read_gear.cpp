@@ -152,7 +152,7 @@ class GearReader {
     gear_.links.push_back(std::move(link));
   }
 
-  /// Reads the meshing order. The number of entries in the file is not always correct, so that entries are
+  /// Reads the meshing order. The number of entries in the file is not always correct. Therefore entries are
   /// read as long as they look like entries.
   void read_order() {
     in_.skip_colon("the meshing order");

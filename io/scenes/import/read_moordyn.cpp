@@ -125,8 +125,8 @@ class MooringReader {
   }
 
   /// Reads a line with names of columns. The length of a mooring line comes before its ends in version 1 of
-  /// the format, and after them in version 2, so that the position of the column "UNSTR…" tells the versions
-  /// apart. In version 1 a number of rows ("2 NTypes") may come before the names.
+  /// the format, and after them in version 2, so that the position of the column "UNSTR…" shows the version.
+  /// In version 1 a number of rows ("2 NTypes") may come before the names.
   void read_names(const Row& row) {
     if (names_ == 2 && formats::integer_in(row[0].text)) return;
     --names_;
@@ -275,7 +275,7 @@ class MooringReader {
     rope.density = type.mass / (std::numbers::pi * type.diameter * type.diameter / 4);  // (1)
     rope.normal = type.cd;
     rope.tangential = std::numbers::pi * type.cd_axial;  // (2)
-    rope.bed = type.diameter;  // (3) before the factor k_bot, which the options give
+    rope.bed = type.diameter;  // (3) without the factor k_bot, which is among the options
     if (std::any_of(out_.table.ropes.begin(), out_.table.ropes.end(),
                     [&](auto& r) { return r.name == name; }))
       return error(place, "there is a line with this number already");
@@ -402,7 +402,7 @@ class MooringReader {
   int errors_before_;
   MooringFile out_;
   Section section_ = Section::none, section_before_ = Section::none;
-  int names_ = 0;  // how many lines with names and units of columns are still to come
+  int names_ = 0;  // how many more lines with names and units of columns follow
   std::size_t length_column_ = 4;
   std::map<std::string, LineType> line_types_;
   std::map<std::string, Body> bodies_;

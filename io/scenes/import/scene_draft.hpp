@@ -41,7 +41,7 @@ class SceneDraft {
   bool is_towed() const;
   /// The direction in which the water flows [rad], not wrapped.
   double flow_angle() const;
-  /// The direction in which the water flows, between -180 and 180 degrees [rad].
+  /// The direction in which the water flows [rad], wrapped to the interval from -180 to 180 degrees.
   double heading() const;
   /// Whether the mesh has nodes of a type.
   bool has_nodes(std::size_t type) const;
@@ -70,8 +70,8 @@ class SceneDraft {
   formats::Diagnostics& diagnostics_;
 };
 
-/// Writes a list such as "[0, 1.5]" with nine decimals: times are sums of time steps, whose round-off this
-/// hides.
+/// Writes a list such as "[0, 1.5]" with nine decimals, which hide the rounding errors of times that are sums
+/// of time steps.
 std::string list_of(const std::vector<double>& numbers);
 
 /// Finds the lengths over time of the bars that drums haul. Each of these bars becomes a part of its own, and
@@ -81,11 +81,12 @@ void find_hauled(SceneDraft& to);
 void write_netting(SceneDraft& to);
 void write_cables(SceneDraft& to);
 void write_clamps(SceneDraft& to);
-/// Writes what acts on nodes by their node type: masses, boxes of buoyancy, forces and beds.
+/// Writes everything that acts on nodes because of their node type: masses, boxes of buoyancy, forces and
+/// beds.
 void write_loads(SceneDraft& to);
 void write_catch(SceneDraft& to);
 void write_holds(SceneDraft& to);
-/// Writes a hold for one node of every connected piece of the gear that the file does not hold.
+/// Writes a hold for one node of every connected piece of the gear that nothing in the file holds.
 void hold_what_is_loose(SceneDraft& to);
 /// Writes the results that the file requests.
 void write_results(SceneDraft& to);

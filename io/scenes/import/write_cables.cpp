@@ -43,8 +43,8 @@ void write_bars(SceneDraft& to, const Cable& c, const std::string& name, const s
   to.write_drag(c.cd, c.friction, c.place);
 }
 
-/// The sum of the extents along `axis` [m] of bars that have exactly one end in a plane: positive if they lie
-/// on the positive side of the plane, zero if there are no such bars.
+/// The sum of the extents along `axis` [m] of bars that have exactly one end in a plane: positive if these
+/// bars lie on the positive side of the plane, zero if there are none.
 double side_of_bars(const SceneDraft& from, const std::vector<std::uint32_t>& bars,
                     const std::vector<std::uint32_t>& plane, std::size_t axis) {
   const auto is_there = [&](auto n) { return std::find(plane.begin(), plane.end(), n) != plane.end(); };

@@ -24,7 +24,7 @@ void begin_load(SceneDraft& to, const std::string& name, const std::string& type
                            (share == 1 ? "" : "  # fraction of each on this side of the plane of symmetry"));
 }
 
-/// The mean added mass over the axes: a scene has one added mass for all axes.
+/// The mean added mass over the axes, because a scene has one added mass for all axes.
 double added_mass_of(const NodeType& t) { return (t.added_mass[0] + t.added_mass[1] + t.added_mass[2]) / 3; }
 
 void write_box(SceneDraft& to, std::size_t number, bool has_mass) {

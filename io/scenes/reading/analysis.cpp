@@ -34,8 +34,8 @@ const Values& parameters_of(const Type& component, formats::TableReader& analysi
   return given->second;
 }
 
-/// Reads the settings if `solver` names an integrator. A damped motion that comes to rest then finds the
-/// equilibrium, so that mass damping is on by default.
+/// Reads the settings if `solver` names an integrator. The equilibrium is then found by a damped motion that
+/// comes to rest. Therefore mass damping is on by default.
 void read_settling(formats::TableReader& table, Registry& registry, Analysis& a) {
   a.dynamics.integrator = a.solver;
   const IntegratorType& type = registry.integrator(a.solver);
@@ -47,8 +47,8 @@ void read_settling(formats::TableReader& table, Registry& registry, Analysis& a)
   a.dynamics.march.budget = false;
 }
 
-/// Reports keys of motions in a static analysis as errors, because kind = "dynamic" may have been forgotten.
-/// If the scene states its `kind`, these keys are allowed.
+/// Reports keys of motions in a static analysis as errors, because the user may have forgotten kind =
+/// "dynamic". If the scene states its `kind`, these keys are allowed.
 void pass_over_time(formats::TableReader& table) {
   bool is_refused = table.has("kind");  // kind = "static" is stated
   for (const auto& key : dynamics_keys())
@@ -80,7 +80,7 @@ bool read_time(formats::TableReader& table, Registry& registry, Analysis& a) {
 void read_solver(formats::TableReader& table, Registry& registry, Analysis& a) {
   const SolverType& solver = registry.solver(a.solver);
   a.solver_parameters = parameters_of(solver, table, a);
-  // A time step starts so near its solution that Newton's method needs no damping.
+  // The start of a time step is so close to its solution that Newton's method needs no damping.
   if (a.kind == AnalysisKind::dynamics && a.solver == "newton")
     a.solver_parameters.try_emplace("damping", 0.0);
 }
@@ -134,7 +134,7 @@ void read_component(formats::TableReader& table, const char* key, bool& refused,
   }
 }
 
-/// Reports keys of earlier versions, each with its replacement.
+/// Reports keys of earlier versions, each with the key that replaces it.
 void report_successors(formats::TableReader& table) {
   constexpr std::array<std::array<const char*, 2>, 2> kSuccessors = {
       {{"continuation", "strategy = \"auto\" solves easier variants first; \"direct\" does not"},

@@ -7,7 +7,8 @@
 namespace netloft::scenes {
 
 /// The table within `[analysis]` that has the parameters of a solver, an integrator or a strategy:
-/// [analysis.newton] for `newton` and `newton/newton`, [analysis.tension.stages] for `tension/stages`.
+/// for example, [analysis.newton] for `newton` or `newton/newton`, and [analysis.tension.stages] for
+/// `tension/stages`.
 struct ComponentTable {
   std::string plugin, component;  // component: empty if the table has only the plugin's name
 };

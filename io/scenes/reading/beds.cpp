@@ -46,7 +46,7 @@ double height_above(const Bed& bed, const std::vector<double>& positions, double
   return highest;
 }
 
-/// `above_others`: a node above the beds that were checked before; the search begins there.
+/// `above_others` is a node above the beds that have been checked already; the search begins there.
 void check_height(const Bed& bed, const Scene& scene, std::size_t& above_others,
                   formats::Diagnostics& diagnostics) {
   const double sinking = std::max(bed.softness, 1e-3);
@@ -98,8 +98,8 @@ class BedComparison {
  private:
   static constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
 
-  /// Makes `bed` the carrier of those of its nodes that no earlier bed carries. Returns the first earlier bed
-  /// with which it shares a node; kNobody if there is none.
+  /// Makes `bed` the carrier of its nodes, except those that an earlier bed carries. Returns the first
+  /// earlier bed with which it shares a node; kNobody if there is none.
   std::size_t claim_nodes(std::size_t bed) {
     std::size_t other = kNobody;
     for (const auto node : beds_[bed].part->nodes) {

@@ -7,8 +7,8 @@
 namespace netloft::scenes {
 
 /// The material of the bed, where it differs from place to place: the table `[bed] bottom` has rows of x, y
-/// and factors on parameters of the elements that rest on the bed. An element type that has a parameter
-/// `bottom`, a grid over x and y, receives the factors for the columns of its grid.
+/// and factors on parameters of the elements that rest on the bed. If an element type has a parameter
+/// `bottom`, a grid over x and y, it receives the factors for the columns of this grid.
 class SeaBottom {
  public:
   SeaBottom() = default;
@@ -19,7 +19,7 @@ class SeaBottom {
   /// Whether the factors are the same at y and -y.
   bool is_symmetric() const;
   /// Gives a part of this element type its factors, unless the part has factors of its own. Returns false if
-  /// the type takes none.
+  /// the type has no parameter for them.
   bool lay_under(const ElementType& type, Part& part) const;
 
  private:

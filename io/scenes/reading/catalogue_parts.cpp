@@ -52,7 +52,7 @@ void insert_numbers(std::set<std::string>& known, const std::vector<netloft_para
     if (std::string_view(p.name).starts_with(prefix)) known.insert(p.name + prefix.size());
 }
 
-/// The names of the parameters under `key` in all element types of the part's plugin. All types count,
+/// The names of the parameters under `key` in all element types of the part's plugin. All types are included,
 /// because companions (elements that the plugin adds to every part of a type) read the same table.
 std::set<std::string> known_numbers(const NamedPart& mention, Registry& registry) {
   std::set<std::string> known;
@@ -62,13 +62,13 @@ std::set<std::string> known_numbers(const NamedPart& mention, Registry& registry
   try {
     for (const auto& element : registry.plugin(name->substr(0, name->find('/'))).elements)
       insert_numbers(known, element.parameters, mention.key + ".");
-  } catch (const PluginRefused&) {  // reported when the part is read
+  } catch (const PluginRefused&) {  // this is reported when the part is read
   }
   return known;
 }
 
-/// Any catalogue part of a kind, which replaces one that was not found, so that the rest of the scene can be
-/// read. nullptr if the catalogue has no part of the kind.
+/// Any catalogue part of this kind, in place of a part that was not found, so that the rest of the scene can
+/// be read. nullptr if the catalogue has no part of the kind.
 const gears::CataloguePart* stand_in(const gears::Catalogue& catalogue, const std::string& key) {
   for (const auto& part : catalogue.parts())
     if (part.kind->key == key) return &part;

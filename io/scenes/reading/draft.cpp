@@ -70,7 +70,7 @@ std::optional<Joiner::Ends> Draft::find_set(const Mention& m) {
   }
   if (find_own_nodes(geometry.names, geometry.node_count(), name, ends.own)) return ends;
   const bool hangs_on_geometry = geometry.node_count() == 0 || name.starts_with("node-") || name == "middle";
-  // An error in the geometry of the part may be why the name is missing; that error is reported already.
+  // If the part has an error in its geometry, which has been reported, this may be why the name is missing.
   if (is_sound[*p] || !hangs_on_geometry)
     diagnostics_.error(
         m.place,
@@ -152,7 +152,8 @@ std::optional<std::size_t> Draft::find_part(const Mention& m, const std::string&
   return {};
 }
 
-/// A hint for the name of a part that is not there: another part, or the part that has such an edge.
+/// A hint for the name of a part that does not exist: a part with a similar name, or a part that has an edge
+/// of this name.
 std::string Draft::part_hint(const std::string& name) const {
   std::vector<std::string> names;
   for (const auto& geometry : geometries) {

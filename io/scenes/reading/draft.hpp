@@ -36,16 +36,16 @@ class Draft {
   explicit Draft(formats::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
   /// Adds a part with nodes of its own. `type` is nullptr if the element type is unknown. `is_sound` is false
-  /// if the table of the part has an error. Its number of nodes may then be wrong, so that nothing that
-  /// depends on this number is checked.
+  /// if the table of the part has an error. The number of its nodes may then be wrong, so that checks that
+  /// depend on this number are skipped.
   void add_part(Part part, Geometry geometry, const ElementType* type, bool is_sound);
   /// Makes the name of a rider known before nodes are numbered. A rider is a part without nodes of its own,
   /// whose elements are on the nodes or elements of other parts; add_rider() adds it after the numbering.
   void announce_rider(const std::string& name) { riders_.insert(name); }
   void add_rider(Part part, formats::Place place, const ElementType* type, bool is_sound);
 
-  /// Finds the nodes that a name means ("net", "net.fore", "net.node-17"), by their numbers within one part.
-  /// If there are none, reports this at the mention and returns nullopt.
+  /// Finds the nodes that a name stands for ("net", "net.fore", "net.node-17"), as numbers within one part.
+  /// If there are none, reports an error at the mention and returns nullopt.
   std::optional<Joiner::Ends> find_set(const Mention& m);
   /// Like find_set(), but the name of a rider is an error, because a rider has no nodes.
   std::optional<Joiner::Ends> find_nodes(const Mention& m);
@@ -60,7 +60,7 @@ class Draft {
   std::vector<Mention> expand(const Mention& m);
   /// Expands the name of a body of a pair, if the whole gear is modelled: "door.toe" becomes
   /// "starboard-door.toe" and "port-door.toe". Returns other names unchanged. A part of the scene can
-  /// therefore name "door.toe" whether a half or the whole is modelled.
+  /// therefore name "door.toe", no matter whether half the gear or the whole gear is modelled.
   std::vector<Mention> both_sides(const Mention& m) const;
 
   LoadedScene out;

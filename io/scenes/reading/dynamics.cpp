@@ -86,8 +86,8 @@ std::vector<Course::Point> read_columns(formats::TableReader& table, const char*
 
 /// Limits the slope of a cubic at a point, so that the curve stays between neighbouring points (F. N. Fritsch
 /// and R. E. Carlson, SIAM J. Numer. Anal. 17, 1980). `before` and `after` are the slopes of the secants to
-/// the neighbouring points. The result is at most three times the flatter of these two, and zero if their
-/// signs differ or one of them is zero.
+/// the neighbouring points. The result is at most three times the smaller of these two slopes, and zero if
+/// their signs differ or one of them is zero.
 double limited(double slope, double before, double after) {
   if (!(before * after > 0)) return 0;
   const double most = 3 * std::min(std::abs(before), std::abs(after));
@@ -181,7 +181,7 @@ Dynamics read_dynamics(formats::TableReader& analysis, Registry& registry) {
   d.material_damping = k.material_damping;
   const IntegratorType& type = registry.integrator(d.integrator);
   if (analysis.diagnostics().errors() > errors_before)
-    return d;  // the checks below would only repeat these errors
+    return d;  // otherwise the checks below would repeat these errors
   if (k.shortest_step > k.longest_step)
     analysis.error("shortest_step", "is longer than longest_step, so that no step is allowed");
   if (k.adaptive && k.step > k.longest_step)

@@ -11,7 +11,7 @@
 
 namespace netloft::scenes {
 
-/// The settings of the table `[analysis]` that concern a motion.
+/// Settings for a motion from the table `[analysis]`.
 struct Dynamics {
   std::string integrator = {};
   Values integrator_parameters = {};
@@ -24,7 +24,7 @@ struct Dynamics {
   std::filesystem::path start_file = {};  // result file of the start; relative to the scene unless absolute
 };
 
-/// The keys of `[analysis]` that concern motions.
+/// The keys of `[analysis]` for motions.
 std::span<const netloft_parameter> dynamics_keys();
 
 /// Reads dynamics_keys(). Throws PluginRefused if there is no such integrator.

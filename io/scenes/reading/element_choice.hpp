@@ -9,7 +9,7 @@
 namespace netloft::scenes {
 
 /// Reports at `key` why the registry has no usable plugin for the value of this key. The first line of `what`
-/// is the message; further lines, the places that were searched, become the hint.
+/// becomes the message. Further lines, which list the places that were searched, become the hint.
 void report_refusal(formats::TableReader& table, const char* key, const std::string& what);
 
 /// Reads a text that must not be empty; reports an empty one.
@@ -23,9 +23,9 @@ class ElementChoice {
  public:
   ElementChoice(Registry& registry, bool& refused) : registry_(registry), refused_(refused) {}
 
-  /// The element type of this name. If there is none, returns nullptr and reports this at the key `type`; if
-  /// the name is empty, returns nullptr without a report. A flow, which changes the water, is no part of a
-  /// gear: find() refuses it, and find_flow() refuses everything else.
+  /// The element type of this name. If there is none, reports this at the key `type` and returns nullptr; if
+  /// the name is empty, returns nullptr without a report. find() refuses a flow (an element that changes the
+  /// water), because a flow is not a part of a gear; find_flow() refuses all other elements.
   const ElementType* find(const std::string& name, formats::TableReader& table) const;
   const ElementType* find_flow(const std::string& name, formats::TableReader& table) const;
   /// The companions of an element type: element types of its plugin that the program adds to every part of

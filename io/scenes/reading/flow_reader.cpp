@@ -18,8 +18,8 @@ bool sees_water(const ElementType& type) {
   return std::ranges::any_of(type.terms, [](const auto& term) { return sees_changed_water(term.traits); });
 }
 
-/// The nodes of edges one after another. An edge is reversed if its end is nearer to the end of the edge
-/// before than its beginning is.
+/// Joins the nodes of consecutive edges. An edge is reversed if its end is nearer to the previous edge than
+/// its beginning.
 std::vector<std::uint32_t> chained(std::vector<std::vector<std::uint32_t>> edges, const Scene& scene) {
   const auto apart = [&](std::uint32_t a, std::uint32_t b) {
     double squares = 0;
@@ -85,7 +85,7 @@ void FlowReader::read() {
   draft_.add_rider(std::move(flow), table.place(), type, true);
 }
 
-/// The bag that the table names, or else that of the net plan.
+/// The bag that the table describes or, if it does not, the bag of the net plan.
 std::optional<Bag> FlowReader::find_bag(formats::TableReader& table) const {
   if (table.has(kRim)) return read_bag(table);
   for (const char* key : {kBehind, kAhead})
@@ -156,8 +156,9 @@ std::vector<std::uint32_t> FlowReader::read_parts(formats::TableReader& table, c
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Mention mention = mention_of_item(names[i], table, key, i);
     const auto part = draft_.part_number(names[i]);
-    if (!part) draft_.find_nodes(mention);                           // reports the unknown name
-    const ElementType* type = part ? draft_.types[*part] : nullptr;  // nullptr after an error in the part
+    if (!part) draft_.find_nodes(mention);  // reports the unknown name
+    // the type is nullptr after an error in the part
+    const ElementType* type = part ? draft_.types[*part] : nullptr;
     if (type && !sees_water(*type))
       diagnostics_.error(mention.place, mention.path + ": " + formats::in_quotes(names[i]) +
                                             " has no drag that depends on the water");

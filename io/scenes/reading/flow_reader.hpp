@@ -5,15 +5,15 @@
 
 namespace netloft::scenes {
 
-/// Reads `[flow]`, which says how a net changes the water: a part of the scene on the rim of the mouth, and
-/// the parts in its reach (Part::flow). Nodes must be numbered.
+/// Reads `[flow]`, which describes how a net changes the water. It becomes a part of the scene on the rim of
+/// the mouth, and is stored in the parts that it affects (Part::flow). Nodes must be numbered.
 class FlowReader {
  public:
   FlowReader(formats::TableReader& root, const ElementChoice& elements, Draft& draft, const GearSteps& gear)
       : root_(root), diagnostics_(root.diagnostics()), elements_(elements), draft_(draft), gear_(gear) {}
 
   void read();
-  /// Reads `[flow]` without the parts that it names.
+  /// Reads `[flow]`, except for the parts that it names.
   void read_undivided();
 
  private:

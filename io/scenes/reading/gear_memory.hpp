@@ -20,9 +20,9 @@ struct PartTableRead {
   bool is_sound = false;
 };
 
-/// Data of the panels of a gear that depend on its division alone.
+/// Data of the panels of a gear that depend only on the division of the gear.
 struct DividedPanels {
-  std::vector<Geometry> geometries;         // without positions and places in files
+  std::vector<Geometry> geometries;         // geometries without positions and places in files
   std::map<std::string, SheetPlace> sheet;  // see GearInScene::sheet
 };
 

@@ -19,8 +19,8 @@ struct GearModel {
 /// Reads `[gear]`. Returns nullopt if its keys have errors, which are reported.
 std::optional<GearModel> read_gear_model(const gears::NetPlan& plan, formats::TableReader& root);
 
-/// Selects from `names`, the names of the modelled gear, those that a name of the plan means: the name
-/// itself, or its port and starboard copies in a whole gear. An empty list if there are none.
+/// Converts a name of the plan to the names of the modelled gear, which are in `names`: the name itself or,
+/// in a whole gear, its port and starboard copies. Returns an empty list if there are none.
 std::vector<std::string> meant_by(const std::string& name, const std::vector<std::string>& names);
 
 }  // namespace netloft::scenes

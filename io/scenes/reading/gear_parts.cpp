@@ -113,7 +113,7 @@ bool GearParts::divide(const std::shared_ptr<gears::Division>& like) {
   return mesh().nodes > 0;
 }
 
-/// Reads the bodies of the plan. An error in the table of a pair is reported once, not for both sides.
+/// Reads the bodies of the plan. An error in the table of a pair is reported only once, not for both sides.
 void GearParts::read_bodies(PartReader& parts) {
   std::set<const gears::PlanBody*> faulty;
   for (const gears::GearBody& body : gear_.bodies) {
@@ -163,13 +163,14 @@ void GearParts::insert_names() {
 }
 
 /// The initial guess for a board: as deep as such boards usually go behind warps of this length, but not
-/// below the bed. Only the choice between several equilibria depends on this guess.
+/// below the bed. This guess affects only which of several equilibria is found.
 BodyOfPlan GearParts::place_of(const gears::GearBody& body) const {
   BodyOfPlan place{body.is_mirrored ? -1.0 : 1.0, {}};
   const gears::Rope* warp = plan_.find_rope(gears::kWarp);
   if (!plan_.ship || !warp) return place;
   place.guess = [this, warp, side = place.side](double lowest) {
-    constexpr double kDepth = 0.3, kSpread = 0.09;  // usual depth and spread of a board over the warp length
+    constexpr double kDepth = 0.3, kSpread = 0.09;  // usual depth and spread of a board, as fractions of the
+                                                    // warp length
     const double L = warp->length, y = plan_.ship->block_gap / 2 + kSpread * L;
     const SeaBed& bed = draft_.out.scene.bed;
     const double reach = plan_.ship->block_height - kDepth * L;
@@ -362,7 +363,8 @@ std::string GearParts::point_name(const std::string& name) const {
   return end == "end" ? rope->name + ".starboard" : name;
 }
 
-/// Whether all nodes of a rope of the plan are in `carried`. For a pair of ropes the starboard one decides.
+/// Whether all nodes of a rope of the plan are in `carried`. For a pair of ropes, only the starboard rope is
+/// tested.
 bool GearParts::is_carried(const std::string& rope, const std::set<std::uint32_t>& carried) const {
   if (carried.empty()) return false;
   const gears::GearRope* one = gear_.find_rope(rope);
@@ -391,7 +393,7 @@ void count_on_one_side(formats::Table& contact, double shoes) {
     const double* real = said->value.as<double>();
     const std::int64_t* whole = said->value.as<std::int64_t>();
     pieces = real ? *real : whole ? static_cast<double>(*whole) : -1;
-    if (!(pieces >= 0)) return;  // an error that is reported where `pieces` is read
+    if (!(pieces >= 0)) return;  // this error is reported when `pieces` is read
     std::erase_if(contact.members, [](const formats::Member& m) { return m.key == "number"; });
   }
   formats::put(contact, "each", {contact.members.front().place, pieces / shoes});
@@ -425,7 +427,7 @@ bool GearParts::sinks_into_bed(const std::set<std::uint32_t>& carried) const {
   });
 }
 
-/// The only rope with a role that lies in the middle; nullptr if there is none.
+/// The rope in the middle with a role, if there is exactly one; otherwise nullptr.
 const gears::RopeMesh* GearParts::rope_of_role(std::string_view role) const {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r)
     if (gear_.ropes[r].rope->role == role && gear_.ropes[r].rope->stands == gears::Standing::middle)
@@ -433,8 +435,8 @@ const gears::RopeMesh* GearParts::rope_of_role(std::string_view role) const {
   return nullptr;
 }
 
-/// Whether a panel is a wing: a side of it hangs on the headline or the footrope, so that it lies ahead of
-/// the mouth with free water on both of its faces.
+/// Whether a panel is a wing. One side of a wing hangs on the headline or the footrope, so that it is ahead
+/// of the mouth with undisturbed water on both faces.
 bool GearParts::is_wing(const gears::GearPanel& panel) const {
   return std::ranges::any_of(plan_.hangings, [&](const gears::Hanging& hanging) {
     const gears::Rope* rope = plan_.find_rope(hanging.rope);
@@ -509,7 +511,7 @@ void GearParts::hold_blocks() {
 
 /// Prepares warps on winches; each warp starts at its block. If a warp has a given tension, its length
 /// becomes an unknown of the search for the equilibrium (Setting in framework/scene/scene.hpp). In a motion,
-/// a winch follows the winch program of the plan; without a program it holds the tension.
+/// a winch follows the winch program of the plan. If there is no program, it holds the tension.
 void GearParts::set_winches() {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r) {
     const gears::GearRope& rope = gear_.ropes[r];

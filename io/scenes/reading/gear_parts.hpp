@@ -89,13 +89,14 @@ class GearParts : public GearSteps {
   bool is_sound_ = false;                      // false after an error in `[gear]` or `[elements]`
   std::shared_ptr<gears::Division> division_;  // nullptr before divide() and after an error
   std::shared_ptr<const DividedPanels> panels_;
-  // Coordinates that the points of bodies fix, for the initial shape.
+  // Coordinates for the initial shape that are known from the points of bodies.
   std::vector<gears::KnownCoordinate> known_;
   std::vector<double> start_;  // initial positions, 3 per node of the gear
   /// For each node of the gear: the first part that has this node, which determines its position, and the
   /// number of the node within the part; nullopt before a part has it.
   std::vector<std::optional<Joiner::OwnNode>> first_;
-  std::vector<std::pair<std::uint32_t, Joiner::OwnNode>> others_;  // nodes of the gear in further parts
+  // nodes of the gear in parts other than the first one
+  std::vector<std::pair<std::uint32_t, Joiner::OwnNode>> others_;
 };
 
 }  // namespace netloft::scenes

@@ -17,13 +17,13 @@ struct Bag {
   /// Nodes of the scene along the rim: the footrope from port (in half a gear from the middle) to starboard,
   /// then back along the headline. The first node follows the last.
   std::vector<std::uint32_t> rim;
-  // Indices of parts: the netting behind the mouth, and what meets the water before: wings, ropes on which
-  // netting hangs, and what these carry.
+  // Indices of parts: the netting behind the mouth; and the parts ahead of it: wings, ropes on which netting
+  // hangs, and parts that these carry.
   std::vector<std::uint32_t> behind, ahead;
 };
 
-/// The steps of reading a scene that concern a net plan, in their order. In this class, for a scene without a
-/// net plan, they do nothing; GearParts implements them for a plan.
+/// The steps of reading a scene that concern a net plan, in their order. This class is for scenes without a
+/// net plan, and its functions do nothing; GearParts implements them for a plan.
 class GearSteps {
  public:
   virtual ~GearSteps() = default;
@@ -31,8 +31,8 @@ class GearSteps {
   /// Divides the gear into triangles and bars. Returns false after an error in the plan or in `[gear]`; the
   /// rest of the scene is then not read. For `like` see SceneSource::instance().
   virtual bool divide(const std::shared_ptr<gears::Division>&) { return true; }
-  /// Called instead of all steps below. Reads the tables of the plan that need no mesh: its bodies and the
-  /// elements of its panels, ropes and floats.
+  /// Called instead of all following steps. Reads the tables of the plan that need no mesh: its bodies and
+  /// the elements of its panels, ropes and floats.
   virtual void read_undivided(PartReader&) {}
   /// The ship of the plan; nullptr if there is none.
   virtual const gears::Ship* ship() const { return nullptr; }
@@ -48,8 +48,8 @@ class GearSteps {
   virtual void add_pieces() {}
   /// The contact parts that keep the gear on the bed, as tables like those of `[parts]`; none without
   /// `[elements.contact]`. There is one for each rope and body of the plan that touches the bed. `carried`
-  /// are the nodes of contact parts that the scene file has itself; a rope or body that has all its nodes
-  /// there gets none.
+  /// are the nodes of contact parts that are already in the scene file. If all nodes of a rope or body are
+  /// among them, it gets no contact part.
   virtual std::vector<std::pair<std::string, formats::Value>> contacts(const std::set<std::uint32_t>&) const {
     return {};
   }
@@ -63,8 +63,8 @@ class GearSteps {
   virtual void add_holds() {}
   /// Fits the initial shape to the positions of held nodes.
   virtual void follow_holds() {}
-  /// Reports motions of the ship and of winches as errors; only called for a static analysis, where they have
-  /// no effect.
+  /// Reports motions of the ship and of winches as errors. Called for a static analysis only, where they
+  /// would have no effect.
   virtual void refuse_motions() const {}
   /// Completes the winches of the plan once the analysis is known.
   virtual void complete_winches(Registry&) const {}

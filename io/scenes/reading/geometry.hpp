@@ -48,9 +48,9 @@ struct GeometryKey {
   std::vector<std::string> words = {};  // allowed words, the first one is the default
 };
 
-/// The shape of parts with elements of a type. It follows from what the type declares, never from its name:
-/// elements on nodes make points, on bars ropes, on triangles panels; elements on bars that declare the datum
-/// `parallel` make panels in bars.
+/// The shape of parts with elements of a type. It follows from declarations of the type, never from its name:
+/// elements on nodes make points, elements on bars make ropes, elements on triangles make panels, and
+/// elements on bars with the datum `parallel` make panels in bars.
 enum class Layout { point, line, panel_in_triangles, panel_in_bars, body };
 Layout layout_of(const ElementType& type);
 

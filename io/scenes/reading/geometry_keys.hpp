@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The keys of a scene that describe position and shape of parts, and functions that read them. Only the files
-// that read geometry include this one.
+// The keys of a scene that describe position and shape of parts, and functions that read them. Included only
+// by files that read geometry.
 #pragma once
 #include "io/scenes/reading/geometry.hpp"
 
@@ -14,7 +14,7 @@ inline constexpr std::int64_t kMostCells = 100000;  // limit of cells along one 
 
 using Point = std::array<double, 3>;
 
-/// One value for each layout of a part.
+/// A value for each layout of a part.
 template <class T>
 struct ByLayout {
   T point, line, panel_in_triangles, panel_in_bars, body;

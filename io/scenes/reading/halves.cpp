@@ -12,8 +12,9 @@ namespace netloft::scenes {
 
 namespace {
 
-// Nodes that are beyond the plane of symmetry by less than this fraction of the gear's breadth do not count.
-// In converged solutions nodes were beyond the plane by up to 5e-10 of the breadth, in crossed gears by 0.1.
+// A node counts as beyond the plane of symmetry only if it is beyond it by more than this fraction of the
+// breadth of the gear. Nodes were beyond the plane by up to 5e-10 of the breadth in converged solutions, and
+// by 0.1 in crossed gears.
 constexpr double kRounding = 1e-6;
 constexpr std::size_t kMostNames = 5;
 
@@ -55,7 +56,7 @@ std::string list_names(const LoadedScene& loaded, const std::vector<Beyond>& par
 }
 
 /// The unit vector to starboard, normal to the flow at height z; nullopt if the flow comes from behind the
-/// gear as it is drawn, so that the gear turns round.
+/// drawn gear, so that the gear turns round.
 std::optional<std::array<double, 2>> starboard_at(const Scene& scene, double z) {
   std::array<double, 3> v{}, dz{};
   scene.current.at(z, v, dz);
@@ -65,8 +66,8 @@ std::optional<std::array<double, 2>> starboard_at(const Scene& scene, double z) 
   return std::array<double, 2>{-v[1] / speed, v[0] / speed};
 }
 
-/// Adds the crossings of pairs of bodies in a whole gear. The gear may be towed askew, so that each body is
-/// compared with the other one of its pair and not with the plane.
+/// Adds the crossings of pairs of bodies in a whole gear. Each body is compared with the other body of its
+/// pair, not with the plane, because the gear may be towed askew.
 void add_pairs(const LoadedScene& loaded, std::span<const double> positions,
                std::vector<Crossing>& crossings) {
   for (const auto& [name, parts] : loaded.gear->pairs) {

@@ -155,7 +155,7 @@ HoldEntry read_hold(formats::TableReader& table) {
   return entry;
 }
 
-/// Nodes that a ship of the net plan moves keep their motion.
+/// Nodes that are moved by a ship of the net plan keep their motion.
 Holder::Holder(Scene& scene) : scene_(scene), sketch_(scene.positions) {
   for (const Guide& guide : scene.guides) {
     const auto grip = std::make_shared<const Grip>(Grip{{}, guide.course});
@@ -207,8 +207,8 @@ Point Holder::position(std::uint32_t node) const {
   return {x[0], x[1], x[2]};
 }
 
-/// Whether an entry can hold a node that earlier entries may hold already. It cannot if the entry and the
-/// earlier ones each hold fewer than three axes, in different frames.
+/// Whether an entry can hold a node that earlier entries may already hold. It cannot if the entry and the
+/// earlier entries use different frames and both hold fewer than three axes.
 bool Holder::can_hold(std::uint32_t node, const HoldEntry& entry) const {
   if (scene_.held[node] == 0 || scene_.held[node] == kAllAxes || entry.axes == kAllAxes) return true;
   const auto* own = frame_of(node);
@@ -223,7 +223,7 @@ std::vector<Point> Holder::shared_directions(std::uint32_t node, const HoldEntry
   return axes_of(frame_of(node), scene_.held[node] & entry.axes);
 }
 
-/// Whether an entry gives a node the place and the motion that earlier entries give it. If not, reports an
+/// Whether an entry gives a node the same place and the same motion as earlier entries. If not, reports an
 /// error that states the difference.
 bool Holder::agrees(std::uint32_t node, const HoldEntry& entry, const Point& at,
                     formats::TableReader& table) const {
@@ -250,8 +250,8 @@ bool Holder::agrees(std::uint32_t node, const HoldEntry& entry, const Point& at,
   return true;
 }
 
-/// Whether earlier entries move a node along `direction` in the same way as `course`. Courses are cubic
-/// between knots, so that two courses are equal if they agree at the knots of both.
+/// Whether earlier entries move a node along `direction` in the same way as `course`. Because courses are
+/// cubic between knots, two courses are equal if they agree at the knots of both.
 bool Holder::moves_alike(std::uint32_t node, const Course& course, const Point& direction) const {
   std::vector<std::pair<Point, const Course*>> parts;  // an axis of the node, times its component along the
                                                        // direction

@@ -15,10 +15,10 @@ struct HoldEntry {
   std::vector<std::string> on;
   std::string name;
   std::uint8_t axes = kAllAxes;
-  // Axes of the hold if the keys `along` or `plane` are used; else those of the world.
+  // Axes of the hold if the key `along` or `plane` is used; nullopt for the axes of the world.
   std::optional<std::array<double, 9>> frame;
-  std::vector<std::array<double, 3>> at;  // points of a line along which nodes are held; empty: at the
-                                          // initial positions
+  std::vector<std::array<double, 3>> at;  // points of a line on which the nodes are held; empty: nodes are
+                                          // held at their initial positions
   Course course;                          // the motion of the nodes; empty: none
   bool is_loose = false;                  // see Hold::is_loose
 };
@@ -39,13 +39,13 @@ class Holder {
   Hold hold(const HoldEntry& entry, const std::vector<std::uint32_t>& nodes, formats::TableReader& table);
 
  private:
-  /// Records that one entry, or the net plan, holds a node along an axis.
+  /// Records that an entry or the net plan holds a node along an axis.
   struct Grip {
     std::optional<formats::Place> said_at;  // nullopt: the net plan holds the node
     Course course;
   };
-  /// For each axis of a node, the grip that holds the node along it; nullptr where the node is free along the
-  /// axis, or where the net plan fixes it at rest.
+  /// For each axis of a node, the grip that holds the node along this axis; nullptr if the node is free along
+  /// the axis, or if the net plan holds it at rest.
   using Grips = std::array<std::shared_ptr<const Grip>, 3>;
 
   Point place(const HoldEntry& entry, std::size_t i, const std::vector<std::uint32_t>& nodes) const;

@@ -17,7 +17,8 @@ double breaking_load_of(const formats::Value& numbers);
 /// the plan; port and starboard share one row.
 std::vector<BillItem> bill_of(const gears::NetPlan& plan);
 
-/// The panels of a plan whose shape counts and cuttings describe. A panel given by corners is left out.
+/// The panels of a plan that are described by counts and cuttings. Panels that are given by corners are left
+/// out.
 std::vector<NettingSheet> netting_of(const gears::NetPlan& plan);
 
 /// The place of every panel of the gear on the drawing of its plan.

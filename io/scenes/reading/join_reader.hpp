@@ -19,7 +19,8 @@ class JoinReader {
   struct Join {
     std::vector<Joiner::Ends> sets;
     Mention at;
-    bool together;  // true: all nodes become one node; false: nodes i of all sets become one node
+    bool together;  // true: all nodes become one node; false: the nodes i of all sets become one node, for
+                    // each i
     void make(Joiner& joiner) const { together ? joiner.gather(sets) : joiner.join(sets); }
   };
 

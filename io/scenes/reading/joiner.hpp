@@ -48,7 +48,7 @@ class Joiner {
         join({sets[0].part, sets[0].own[i]}, {sets[s].part, sets[s].own[i]});
   }
 
-  /// All nodes of all sets become one node at their mean position, for example where netting is gathered.
+  /// All nodes of all sets become one node at their mean position, for example if netting is gathered.
   void gather(const std::vector<Ends>& sets) {
     std::vector<std::uint32_t> nodes;
     for (const auto& set : sets)
@@ -114,7 +114,7 @@ class Joiner {
   }
 
   /// Whether joins have reduced an element to a point, a bar to zero length, or a triangle to a line. A
-  /// triangle with two equal corners where netting is gathered does not count.
+  /// triangle of gathered netting, two of whose corners are the same node, does not count.
   static bool is_collapsed(const std::vector<std::uint32_t>& corners,
                            const std::set<std::uint32_t>& gathered) {
     std::size_t twins = 0;

@@ -24,7 +24,7 @@ struct AnalysisKeys {
 
 /// The keys of `[water]`, except the current.
 struct WaterKeys : SceneWater {
-  double model_scale = 1;        // size of the gear over that of the model [1]
+  double model_scale = 1;        // size of the gear divided by that of the model [1]
   double model_twine_scale = 0;  // [1]; 0: the model is scaled by Froude's rule
 };
 
@@ -60,7 +60,8 @@ struct GearKeys {
   double size = 0;
 };
 
-/// The name of the contact elements as a kind of parts; a scene has them only with `[elements.contact]`.
+/// The name of the contact elements as a kind of parts; a scene has such parts only if it has the table
+/// `[elements.contact]`.
 inline constexpr const char* kContact = "contact";
 
 /// A kind of parts of a net plan, such as ropes. The table `[elements.KIND]` of a scene chooses its elements.
@@ -71,8 +72,8 @@ struct GearElements {
 };
 std::span<const GearElements> gear_elements();
 
-/// The keys of those tables of a scene that the program reads itself, in the form in which plugins describe
-/// their keys. The reader, the checks, the command `describe` and the schema all use these lists.
+/// The keys of tables that the program itself reads from a scene, in the form in which plugins describe their
+/// keys. The reader, the checks, the command `describe` and the schema all use these lists.
 std::span<const netloft_parameter> water_keys();
 std::span<const netloft_parameter> wave_keys();
 std::span<const netloft_parameter> tow_keys();

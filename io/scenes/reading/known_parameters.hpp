@@ -5,8 +5,8 @@
 namespace netloft::scenes {
 
 /// Parameters that the program recognises by their name in the elements of any plugin: their values are
-/// checked, drawn or scaled. Authors of plugins find this table in framework/guides/element.md, and a test
-/// compares the two tables.
+/// checked, drawn or scaled. Authors of plugins find this table in framework/guides/element.md; a test
+/// compares both tables.
 struct KnownParameter {
   const char *name, *use;
 };

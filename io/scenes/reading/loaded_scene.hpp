@@ -30,7 +30,7 @@ struct PartGeometry {
   std::vector<int> cells;  // number of bars of a rope; cells across and along a panel; empty for others
   std::vector<std::array<double, 2>> panel;  // indexed by own number: (U, V) [meshes]; empty: no panel
   std::map<std::string, std::vector<std::uint32_t>> sets;  // own numbers along edges, by name
-  bool is_numbered = false;  // true: a hold, a join or an `on` names a node of this part by number
+  bool is_numbered = false;  // whether a hold, a join or an `on` names a node of this part by number
 };
 
 /// The nodes and axes of a `[[hold]]`, whose reaction is reported under its name.
@@ -38,7 +38,8 @@ struct Hold {
   std::string name;
   std::vector<std::uint32_t> nodes;  // numbers of nodes in the scene
   std::vector<std::uint8_t> axes;    // for each node, the axes whose reactions count for this hold
-  bool is_loose = false;  // whether it only keeps the gear from drifting, and bears nothing in equilibrium
+  bool is_loose = false;  // whether the hold only keeps the gear from drifting, and bears nothing in
+                          // equilibrium
 };
 
 /// One line of `[results]`: a number that the scene requests, such as the lowest z of the net.
@@ -59,7 +60,7 @@ struct ResultRequest {
 /// The table `[analysis]`: how the scene is solved.
 struct Analysis {
   AnalysisKind kind = AnalysisKind::statics;
-  bool settles = false;  // true: `solver` is an integrator, whose damped motion finds the equilibrium
+  bool settles = false;  // whether `solver` is an integrator, whose damped motion finds the equilibrium
   Dynamics dynamics = {};
   std::string strategy;  // the plugin that decides how the equilibrium is found
   Values strategy_parameters;
@@ -96,7 +97,7 @@ struct NettingSheet {
   double fore = 0, aft = 0, deep = 0;  // meshes of the whole edges, and from fore to aft over all pieces
   double pieces = 1;                   // pieces sewn mesh to mesh in a row
   // Cuttings from fore to aft, with the meshes that each goes aft: "1N2B in 40, AN 10". A panel in the middle
-  // has the outer one on both sides and no inner one.
+  // has the outer cuttings on both sides and no inner cuttings.
   std::string outer, inner;
 };
 
@@ -113,12 +114,13 @@ struct GearInScene {
   std::vector<std::uint32_t> panels, ropes, pieces;
   // Nodes of the scene, by names such as "headrope.end", "top-wing.fore-outer".
   std::map<std::string, std::uint32_t> points;
-  std::size_t nodes = 0;           // requested number of nodes
-  double size = 0;                 // requested side of triangles [m]; 0: `nodes` counts instead
+  std::size_t nodes = 0;  // requested number of nodes
+  double size = 0;        // requested side of triangles [m]; 0: the number of nodes is requested instead
   std::string headline, footrope;  // names of the ropes with these roles; empty: none
   std::set<std::uint32_t> across;  // ropes that run from port over the middle to starboard
   std::map<std::string, std::vector<std::uint32_t>> roles;  // ropes by other roles, such as "bridle"
-  /// Pairs of bodies by their name in the plan, as indices of parts. Half a gear has only the starboard body.
+  /// Pairs of bodies by their name in the plan, as indices of parts. In half a gear, only the starboard body
+  /// exists.
   std::map<std::string, std::vector<std::uint32_t>> pairs;
   double ship_speed = 0;       // speed over the ground [m/s]; 0 without a ship
   double ship_efficiency = 0;  // towing power over the heating power of the fuel; 0: unknown
@@ -152,7 +154,7 @@ struct LoadedScene {
   Analysis analysis;
   std::vector<formats::SourceFile> files;
   std::optional<GearInScene> gear;            // nullopt: the scene has no net plan
-  std::map<std::string, Strength> strengths;  // strengths by part; a part of unknown strength is left out
+  std::map<std::string, Strength> strengths;  // strengths by part; parts of unknown strength are left out
   mutable formats::NameIndex index_of_parts = {};  // an index that makes place_of fast
 
   /// The place of a part in the file, for messages; line 0 if there is no such part.

@@ -140,7 +140,7 @@ Geometry MeshParts::read(const ElementType& type, const std::string& name, std::
     return out;
   }
   const formats::InputMesh* mesh = find_mesh(table);
-  table.has("region");  // marks the key as known even if the mesh is missing
+  table.has("region");  // so that the key is known even if the mesh is missing
   const formats::MeshRegion* region = mesh ? find_region(*mesh, kind_for(layout), name, table) : nullptr;
   const formats::MeshRegion none{kind_for(layout), name, {}, std::vector<double>(2)};
   if (region) {

@@ -23,7 +23,7 @@ class MeshParts {
   /// element type decides which region is needed: triangles, with the data u, v, bar_length and to_aft
   /// (meshes to the largest V of the region); bars, with the data rest_length, and with the sets start, end
   /// and middle if they form one line; or bars along twines, with the data rest_length and parallel. The part
-  /// gets the sets of nodes of the mesh, as far as they are in its region.
+  /// also gets the sets of nodes of the mesh, limited to the nodes of its region.
   Geometry read(const ElementType& type, const std::string& name, std::size_t part,
                 formats::TableReader& table);
 

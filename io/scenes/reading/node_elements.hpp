@@ -7,8 +7,8 @@
 
 namespace netloft::scenes {
 
-/// The elements at each node of a scene. With this list, the cost of a rider (a part on other parts) does not
-/// grow with the number of parts of the scene.
+/// The elements at each node of a scene. Because of this list, the time to make a rider (a part on other
+/// parts) does not depend on the number of parts of the scene.
 class NodeElements {
  public:
   /// An element, by the index of its part and its number within that part.
@@ -19,7 +19,8 @@ class NodeElements {
   /// `types`: by part. Parts of an unknown type, which are nullptr, have no elements here.
   NodeElements(const Scene& scene, const std::vector<const ElementType*>& types);
 
-  /// The elements at a node, part by part. An element with several corners at the node is listed as often.
+  /// The elements at a node, part by part. An element with several corners at the node is listed once for
+  /// each.
   std::span<const At> at(std::uint32_t node) const;
   /// The elements of one part at a node.
   std::span<const At> at(std::uint32_t node, std::size_t part) const;

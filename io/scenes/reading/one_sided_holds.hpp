@@ -5,8 +5,8 @@
 
 namespace netloft::scenes {
 
-/// The holds of a whole gear. Each should have its mirror image, because a gear that is held on one side only
-/// is towed askew.
+/// The holds of a whole gear. Each hold should have a mirror image, because a gear that is held on one side
+/// only is towed askew.
 class OneSidedHolds {
  public:
   void add(const HoldEntry& entry, const formats::Place& place) {

@@ -10,7 +10,7 @@ namespace netloft::scenes {
 namespace {
 
 // Least volume between a panel and the centre, as a fraction of the volume of a ball around the centre. If
-// the volume is smaller, it is not clear which side of the panel is inside.
+// the volume is smaller, it is not clear which side of the panel is the inside.
 constexpr double kLeastVolume = 1e-3;
 
 class Triangles {

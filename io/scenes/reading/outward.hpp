@@ -8,8 +8,8 @@
 namespace netloft::scenes {
 
 /// A panel whose triangles a rider (a part on other parts) copies. `begin` is the index in the rider's nodes
-/// at which the panel's corners begin. `is_outward` tells whether the corners of each triangle are known to
-/// be counter-clockwise seen from outside, as those of a net plan are.
+/// at which the panel's corners begin. `is_outward`: whether the corners of each triangle are known to be
+/// counter-clockwise seen from outside, as in panels of a net plan.
 struct PanelBelow {
   std::size_t begin = 0;
   bool is_outward = false;
@@ -23,8 +23,8 @@ struct Outward {
 };
 
 /// Finds for each triangle of `rider` whether its corners are counter-clockwise seen from outside (1) or not
-/// (-1). The inside of a panel is the side on which the centre of all triangles lies, however the panel was
-/// drawn. If the plane of a panel contains this centre, its inside is unknown, and its triangles get 1.
+/// (-1). The inside of a panel is the side on which the centre of all triangles lies, no matter how the panel
+/// was drawn. If the plane of a panel contains this centre, its inside is unknown, and its triangles get 1.
 /// `positions`: initial positions of the nodes of the scene [m].
 Outward find_outward(const std::vector<PanelBelow>& panels, const std::vector<double>& positions,
                      const Part& rider);

@@ -6,8 +6,8 @@
 namespace netloft::scenes {
 
 /// Reads a datum of elements that the host does not compute. The table of the part has one value under the
-/// name of the datum; all `elements` get it. If the value is missing, and the name of the datum resembles
-/// that of a datum of the host, the error suggests that name.
+/// name of the datum; all `elements` get it. If the value is missing and the name is similar to a datum that
+/// the host provides, the error suggests that datum.
 void read_own_datum(const ElementType& type, const netloft_datum& datum, std::size_t elements,
                     formats::TableReader& table, ElementData& data);
 

@@ -14,8 +14,8 @@ namespace netloft::scenes {
 
 namespace {
 
-// Limit of the elements of one part. They have 3·10⁷ unknowns, three times as many as have been solved; a
-// matrix may have 10⁸.
+// Limit of the elements of one part. So many elements have 3·10⁷ unknowns, three times as many as have ever
+// been solved; a matrix may have 10⁸.
 constexpr std::int64_t kMostElements = 20000000;
 
 /// Rows and columns of a structured panel.
@@ -131,14 +131,14 @@ std::optional<Panel> read_panel_keys(formats::TableReader& part, const GeometryK
       across, along, bar, {static_cast<std::size_t>(cells[0]), static_cast<std::size_t>(cells[1])}, *surface};
 }
 
-/// The length of a cell over its width, both in meshes. If it is 1, bars from corner to centre run along the
-/// twines.
+/// The length of a cell over its width, both in meshes. If the result is 1, bars from a corner to the centre
+/// run along the twines.
 double slant(const Panel& p, double across, double along) { return p.along * across / (p.across * along); }
 
 bool is_square(double slant) { return std::abs(slant - 1) < 1e-9; }
 
-/// The numbers of cells across and along that make cells square in meshes and are nearest to those of the
-/// panel, such as "[36, 36]"; empty if there are none.
+/// The numbers of cells across and along, such as "[36, 36]", that are nearest to those of the panel and make
+/// cells square in meshes; empty if there are none.
 std::string nearest_square_cells(const Panel& p) {
   double best = std::numeric_limits<double>::infinity();
   std::string cells;

@@ -30,8 +30,8 @@ class PanelsInRow {
   }
 
   /// The number of meshes behind the aft edge of a panel, averaged over the nodes of the edge. The panels
-  /// behind it are counted first. A list of waiting panels replaces recursive calls, because a row of panels
-  /// may be very long.
+  /// behind this panel are computed first. A list of waiting panels replaces recursive calls, because a row
+  /// of panels may be very long.
   double behind(std::size_t panel) {
     std::vector<std::size_t> to_count{panel};
     while (!to_count.empty()) {
@@ -81,7 +81,7 @@ class PanelsInRow {
   }
 
   std::vector<Panel> panels_;
-  // Node -> panel -> meshes from the node to the panel's aft edge.
+  // For each node and each of its panels: the number of meshes from the node to the aft edge of the panel.
   std::map<std::uint32_t, std::map<std::size_t, double>> seams_;
 };
 

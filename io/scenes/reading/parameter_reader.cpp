@@ -107,7 +107,7 @@ bool group_is_required(std::span<const netloft_parameter> table, const std::stri
   return false;
 }
 
-/// Opens the table with the keys of a group. An empty table of a group that is optional is an error.
+/// Opens the table with the keys of a group. An empty table for an optional group is an error.
 formats::TableReader open_group(std::span<const netloft_parameter> table, formats::TableReader& from,
                                 const std::string& group) {
   const bool is_required = group_is_required(table, group);

@@ -33,7 +33,7 @@ void PartReader::read_parts(formats::Presence presence) {
     if (parts.kind(name) == formats::Kind::table) {
       formats::TableReader part = parts.table(name);
       if (part.has("on")) {
-        riders_.emplace_back(name, part);  // read later, because the parts that it names may follow
+        riders_.emplace_back(name, part);  // riders are read later, because they may name parts that follow
         draft_.announce_rider(name);
       } else {
         read_part(name, part);
@@ -108,7 +108,7 @@ void PartReader::read_part(const std::string& name, formats::TableReader& table,
     geometry = place ? read_body(table, place) : read_geometry(*type, name, table);
     read_extra_data(*type, geometry, table);
   } else {
-    // Without a type it is unknown which keys are allowed.
+    // If the type is unknown, it is also unknown which keys are allowed.
     for (const auto& key : table.keys()) table.raw(key);
   }
   geometry.names.name = name;
@@ -122,8 +122,8 @@ void PartReader::read_part(const std::string& name, formats::TableReader& table,
 }
 
 void PartReader::check_thickness(const Part& part, const Geometry& geometry, formats::TableReader& table) {
-  // Parts on a mesh are not checked: a rope of a mesh may be a short piece of a longer one, and for a bar of
-  // netting the mesh file gives the length and the number of twines independently.
+  // Parts on a mesh are not checked: a rope in a mesh may be a short piece of a longer rope, and for bars of
+  // netting the mesh file gives length and number of twines independently.
   if (table.has("mesh")) return;
   if (const auto fault = thickness_fault(part, geometry))
     table.error(fault->key, fault->message, kThicknessCure);

@@ -52,8 +52,8 @@ class PartReader {
   std::vector<std::pair<std::string, formats::TableReader>> riders_;
 };
 
-/// Reads the element type of a part. If it is missing, a misspelt `--set` may have created the part; the hint
-/// of the error then names a part with a similar name.
+/// Reads the element type of a part. If it is missing, the part may have been created by a misspelt `--set`;
+/// the hint of the error therefore proposes a part with a similar name.
 std::string read_type_name(const Draft& draft, const std::string& name, formats::TableReader& table);
 
 }  // namespace netloft::scenes

@@ -18,13 +18,14 @@ formats::Value without_contact(formats::Value said);
 /// The table `[elements.NAME]` with only its keys about contact.
 formats::Value only_contact(formats::Value said);
 
-/// Whether a rope lies on the bed when the gear is towed over it; its role in the plan decides.
+/// Whether a rope lies on the bed when the gear is towed over it. This follows from its role in the plan.
 bool rests_on_bed(const gears::Rope& rope);
 
-/// The points on which a body rests, "door.toe" and "door.heel", as far as the body has them.
+/// The points on which a body rests: "door.toe" and "door.heel", if the body has them.
 std::vector<std::string> shoes_of(const gears::PlanBody& body);
 
-/// Half the diameter of the largest piece (such as a roller) strung along a rope [m]; 0 if there is none.
+/// Half the diameter of the largest piece, such as a roller, that is strung on a rope [m]; 0 if there is
+/// none.
 double radius_along(const gears::NetPlan& plan, const std::string& rope);
 
 }  // namespace netloft::scenes

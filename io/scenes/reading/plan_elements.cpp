@@ -87,7 +87,7 @@ void PlanElements::read_exceptions(formats::TableReader& elements, const gears::
 
 PlanElements::Made PlanElements::read_elements(formats::TableReader& elements, const GearElements& of) const {
   formats::TableReader table = elements.table(of.kind, formats::Presence::optional);
-  for (const auto& key : table.keys()) table.raw(key);  // each part reads these keys later
+  for (const auto& key : table.keys()) table.raw(key);  // known, because each part reads these keys later
   Made made{&of, {table.place(), formats::Table{}}, nullptr};
   if (const formats::Value* said = elements.raw(of.kind); said && said->as<formats::Table>())
     made.said = *said;
@@ -120,7 +120,9 @@ bool PlanElements::read_part(std::string_view kind, const std::string& path, for
   const auto read = recent.of({how.type, path, std::move(whole)}, [&](const PartTable& input) {
     return read_table(input, diagnostics_.without_messages());
   });
-  if (!read->is_sound) memory_.parts.erase(part.name);  // a plugin may be to blame, and is asked again
+  if (!read->is_sound)
+    memory_.parts.erase(part.name);  // not stored, because the error may be that of a
+                                     // plugin, which may be fixed later
   diagnostics_.take_messages(read->messages);
   part.type = read->part.type;
   part.parameters = read->part.parameters;

@@ -31,12 +31,12 @@ class PlanElements {
 
   /// Whether the scene has `[elements.contact]`, which lets parts that touch the bed rest on it.
   bool has_contact() const { return contact_.has_value(); }
-  /// The table, as in `[parts]`, of the contact part that keeps a rope or a body of the plan on the bed; its
-  /// elements are at the points `on`.
+  /// A table like those in `[parts]` for the contact part that keeps a rope or a body of the plan on the bed.
+  /// Its elements are at the points `on`.
   formats::Value contact_of(const std::string& name, std::vector<std::string> on, formats::Place place) const;
 
  private:
-  /// The table `[elements.KIND]` and the element type that it chooses.
+  /// The table `[elements.KIND]`, and the element type that it selects.
   struct Made {
     const GearElements* of = nullptr;
     formats::Value said;  // the table as read
@@ -56,8 +56,8 @@ class PlanElements {
   formats::Diagnostics& diagnostics_;
   std::vector<Made> made_;
   std::optional<formats::Value> contact_;  // `[elements.contact]`, a table
-  // The tables `[elements.NAME]` by part of the gear. The second map has the tables in which NAME is the name
-  // of a pair.
+  // The tables `[elements.NAME]` by part of the gear. The second map has the tables for which NAME is the
+  // name of a pair.
   std::map<std::string, formats::Value> exceptions_, exceptions_of_pairs_;
 };
 

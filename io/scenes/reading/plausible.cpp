@@ -23,7 +23,8 @@ constexpr double kThinnestWater = 0.55e-6, kThickestWater = 2e-6;  // [m2/s]
 // Gravity on the ground is 9.780 m/s2 at the equator and 9.832 m/s2 at the poles (WGS 84), often rounded to
 // 10. A gravity of 0, for a scene without weight, is allowed, too.
 constexpr double kLeastGravity = 9.75, kMostGravity = 10;  // [m/s2]
-// A slope of 1 is 45 degrees. The slopes of the continents have 3 to 6 degrees, walls of canyons up to 45.
+// A slope of 1 is 45 degrees. The slopes of the continents have 3 to 6 degrees, walls of canyons up to 45
+// degrees.
 constexpr double kSteepestBed = 1;  // [1]
 // 10 m/s are 20 kn. Gears are towed at up to 6 kn; at higher speeds drag breaks them.
 constexpr double kFastestTow = 10;  // [m/s]
@@ -43,7 +44,7 @@ void check_water(const LoadedScene& loaded, formats::TableReader& root) {
       "sea water is density = \"1.025 t/m3\", or 1025 without a unit; density = 0 is air");
 }
 
-/// Warns of the viscosity of a scene. A model test scales the viscosity later, after this check.
+/// Warns of the viscosity of a scene. (A model test scales the viscosity, but only after this check.)
 void check_viscosity(const LoadedScene& loaded, formats::TableReader& root) {
   formats::TableReader water = root.table("water", formats::Presence::optional);
   if (loaded.scene.water.density == 0 || !water.has("viscosity")) return;

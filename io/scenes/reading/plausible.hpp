@@ -5,9 +5,9 @@
 
 namespace netloft::scenes {
 
-/// Warns of numbers with which a model can compute but that nobody means, such as a density in another unit.
-/// `root` is the table of the scene. The limits of what surrounds a gear, and their reasons, are in
-/// plausible.cpp, those of its parts in plausible_parts.cpp.
+/// Warns of numbers that are valid but probably a mistake, such as a density in another unit. `root` is the
+/// table of the scene. plausible.cpp has the limits for the surroundings of a gear, plausible_parts.cpp those
+/// for its parts, both with reasons.
 void check_plausible(const LoadedScene& loaded, formats::TableReader& root);
 
 /// Warns of a hold that moves faster than any ship or winch; `key` is the key of its course.

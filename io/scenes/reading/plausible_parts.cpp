@@ -14,8 +14,8 @@ namespace netloft::scenes {
 
 namespace {
 
-// Osmium is the densest element (CRC Handbook of Chemistry and Physics, 97th edition, section 4). In t/m3
-// every density is below 23.
+// Osmium is the densest element (CRC Handbook of Chemistry and Physics, 97th edition, section 4). A density
+// below 23 may be in t/m3.
 constexpr double kDensestElement = 22590, kSteel = 7850;  // [kg/m3]
 // A chain is modelled as a cylinder with the diameter of the wire of its links. Chains of the library
 // therefore have 25 000 to 28 000 kg/m3, and footropes with rollers or chain loops up to 30 000 kg/m3.
@@ -115,8 +115,8 @@ class PartCheck {
     diagnostics_.warning(place_, part_.name + ": " + message, hint);
   }
 
-  /// Warns of a float whose given buoyancy does not fit its volume and mass. The given buoyancy is used, and
-  /// volume and mass then count for inertia only. Without a mass, any buoyancy up to the weight of the
+  /// Warns of a float whose given buoyancy does not fit its volume and mass. The given buoyancy is used;
+  /// volume and mass then only affect inertia. If there is no mass, any buoyancy up to the weight of the
   /// displaced water fits.
   void check_buoyancy_of_float() {
     const double given = number(parameter::kFloatBuoyancy), volume = number(parameter::kFloatVolume),

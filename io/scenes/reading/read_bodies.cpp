@@ -21,7 +21,7 @@ Point mirrored(const Point& r, double side) { return {r[0], side * r[1], r[2]}; 
 Vector vector_of(const Point& p) { return {p[0], p[1], p[2]}; }
 Point point_of(const Vector& v) { return {v.x, v.y, v.z}; }
 
-/// The axis that a word such as "about y" names; -1 if it names none.
+/// The axis in a text such as "about y"; -1 if there is none.
 int axis_in(const std::string& word) { return word.starts_with("about ") ? word.back() - 'x' : -1; }
 
 void read_turning(formats::TableReader& table, BodyGeometry& body) {
@@ -117,8 +117,8 @@ std::string shown(const RigidBody& body, std::size_t point, const BodyGeometry& 
   return formats::in_quotes(body.name + "." + geometry.names[point]);
 }
 
-/// Reports an error if a point of the body belongs to another body, too, or is the origin of one, because
-/// this would couple their rotations.
+/// Reports an error if a point of the body also belongs to another body or is its origin, because this would
+/// couple the rotations of both.
 void check_alone(const Draft& draft, const RigidBody& body, const BodyGeometry& geometry,
                  const std::map<std::uint32_t, std::size_t>& origins, formats::Place place,
                  formats::Diagnostics& diagnostics) {
@@ -148,7 +148,7 @@ void check_alone(const Draft& draft, const RigidBody& body, const BodyGeometry& 
 
 void add_bodies(Draft& draft, formats::Diagnostics& diagnostics) {
   Scene& scene = draft.out.scene;
-  std::map<std::uint32_t, std::size_t> origins;  // origin node of each body so far -> its index
+  std::map<std::uint32_t, std::size_t> origins;  // for the origin of each body so far: the index of the body
   for (std::size_t p = 0; p < draft.geometries.size(); ++p) {
     if (!draft.geometries[p].body) continue;
     const BodyGeometry& geometry = *draft.geometries[p].body;

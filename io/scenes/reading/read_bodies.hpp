@@ -6,11 +6,11 @@
 
 namespace netloft::scenes {
 
-/// Side and initial guess of a body of a net plan, which its table does not have.
+/// Side and initial guess of a body of a net plan. They are not in the table of the body.
 struct BodyOfPlan {
   double side = 1;  // 1: starboard; -1: port, with `at` mirrored
-  /// Returns the initial position of the body, for a table without one. `lowest`: lowest z of its points and
-  /// its outline, from its origin [m].
+  /// Returns the initial position of the body if its table has none. `lowest`: lowest z of its points and its
+  /// outline, from its origin [m].
   std::function<std::array<double, 3>(double lowest)> guess;
 };
 

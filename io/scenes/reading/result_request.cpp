@@ -17,7 +17,7 @@ namespace {
 
 const std::vector<std::string> kHow = {"min", "max", "mean", "sum", "range"};
 
-/// A quantity of nodes that `take` may name.
+/// A quantity of nodes that can be requested by `take`.
 struct NodeQuantity {
   const char *name, *unit, *doc;
   ResultRequest::Source source;

@@ -20,7 +20,7 @@ bool rests_on_bed(const ElementType& type) {
          });
 }
 
-/// Removes those parameters of a part that only its companions have; the companions have copies of them.
+/// Removes parameters that only the companions of a part have; the companions have copies of them.
 void keep_own_parameters(Part& part, const ElementType& type) {
   std::erase_if(part.parameters, [&](const auto& given) {
     return std::none_of(type.parameters.begin(), type.parameters.end(),
@@ -79,7 +79,7 @@ void RiderReader::read_contacts() {
                          "use a type such as seabed/bed");
     read(name, table);
     table.finish();
-    if (diagnostics_.errors()) return;  // reported once, not for every rope
+    if (diagnostics_.errors()) return;  // these errors are reported once, not for every rope
   }
   if (out_.scene.bed.is_there && gear_.sinks_into_bed(carried))
     diagnostics_.warning(
@@ -94,7 +94,7 @@ void RiderReader::read_contacts_undivided() {
     formats::TableReader table(said, diagnostics_, "elements." + std::string(kContact));
     read_undivided(name, table);
     table.finish();
-    if (diagnostics_.errors() > errors_before) return;  // reported once, not for every rope
+    if (diagnostics_.errors() > errors_before) return;  // these errors are reported once, not for every rope
   }
 }
 

@@ -8,8 +8,8 @@
 namespace netloft::scenes {
 
 /// Makes the riders of a scene, parts without nodes whose elements are on the nodes or elements of other
-/// parts. Riders are parts with a table of their own, the contact parts of a net plan, and companions, which
-/// an element type adds to its parts. Nodes must be numbered.
+/// parts. There are three kinds of riders: parts with a table of their own, the contact parts of a net plan,
+/// and companions, which an element type adds to its parts. Nodes must be numbered.
 class RiderReader {
  public:
   RiderReader(formats::TableReader& root, const ElementChoice& elements, Draft& draft, const GearSteps& gear)
@@ -21,7 +21,7 @@ class RiderReader {
         gear_(gear) {}
 
   void read(const std::string& name, formats::TableReader& table);
-  /// Reads the table of a rider without the nodes and elements that it is on.
+  /// Reads the table of a rider, except for the nodes and elements on which it is.
   void read_undivided(const std::string& name, formats::TableReader& table);
   /// Makes the contact parts that keep a gear of a net plan on the bed.
   void read_contacts();

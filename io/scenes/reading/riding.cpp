@@ -75,7 +75,8 @@ void ride_on_meeting_bars(const Scene& scene, std::size_t first, std::size_t sec
                           const NodeElements& elements, Part& rider) {
   const Part &one = scene.parts[first], &other = scene.parts[second];
   for (std::size_t a = 0; 2 * a < one.nodes.size(); ++a) {
-    std::set<std::array<std::size_t, 3>> meetings;  // bar b, and the ends of bars a and b that share a node
+    std::set<std::array<std::size_t, 3>> meetings;  // for each meeting of two bars: bar b, and the ends of a
+                                                    // and b at the shared node
     for (const std::size_t end : {0u, 1u})
       for (const auto& [part, b] : elements.at(one.nodes[2 * a + end], second))
         for (const std::size_t begin : {0u, 1u})

@@ -27,8 +27,8 @@ class CarriedLength {
 void ride_on_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<double>& carried, double number,
                    Part& rider);
 
-/// Puts one element with `pieces` pieces on each of `nodes`, whatever length the node represents: the datum
-/// `length` is zero.
+/// Puts one element with `pieces` pieces on each of `nodes`. The length that the node represents does not
+/// matter, and the datum `length` is zero.
 void ride_on_every_node(const std::vector<std::uint32_t>& nodes, double pieces, Part& rider);
 
 /// Copies those bars of the rope with index `rope` that have exactly one end among `nodes`, with their data.

@@ -19,7 +19,7 @@ void check_symmetric_parameters(const Draft& draft, const std::string& cure,
                                 formats::Diagnostics& diagnostics) {
   const LoadedScene& out = draft.out;
   for (std::size_t p = 0; p < draft.types.size(); ++p) {
-    const ElementType* type = draft.types[p];   // nullptr if unknown, which was reported
+    const ElementType* type = draft.types[p];   // nullptr if the type is unknown, which has been reported
     if (!type || type->is_on_body()) continue;  // the y axis of a body points outward on either side
     const Part& part = out.scene.parts[p];
     for (const auto& [name, value] : part.parameters)
@@ -52,10 +52,9 @@ void check_held(const LoadedScene& out, const std::vector<const ElementType*>& t
     diagnostics.error(out.place_of(fault.part), fault.message);
 }
 
-/// Warns of friction that does not suit the ground. One kind of friction acts only if the ground moves past
-/// the gear, and gets a warning if the ground is at rest. The other kind sticks to ground at rest. It gets a
-/// warning if water flows past but the scene says nothing about a tow, because the gear is then probably
-/// towed.
+/// Warns of friction that does not suit the ground. Friction that acts only if the ground moves past the gear
+/// gets a warning if the ground is at rest. Friction that sticks to ground at rest gets a warning if water
+/// flows past and the scene says nothing about a tow, because the gear is then probably towed.
 void check_ground(const Draft& draft, bool says_tow, formats::Diagnostics& diagnostics) {
   const LoadedScene& out = draft.out;
   for (std::size_t p = 0; p < draft.types.size(); ++p) {

@@ -36,7 +36,7 @@ void refuse_tables_of_plans(formats::TableReader& root) {
       {"points", "parts have points of their own, such as rope.end; [[hold]] at = [0, 0, -5] places them"},
       {"hang", "[[join]] joins parts at their points and edges"},
       {"elements", "the type of a part, and its parameters, are in [parts.NAME]"}};
-  root.has("panels");  // makes `panels` a known key, so that hints about misspelt tables suggest it
+  root.has("panels");  // makes `panels` a known key, so that it is suggested for misspelt tables
   const auto keys = root.keys();
   for (const auto& [key, hint] : kTables)
     if (std::ranges::find(keys, key) != keys.end() && root.has(key))
@@ -81,7 +81,7 @@ class SceneReader {
     return std::move(out_);
   }
 
-  /// Reads and checks what needs no mesh.
+  /// Reads and checks everything that needs no mesh.
   void check() {
     water_.read();
     gear_->read_undivided(parts_);
@@ -155,8 +155,8 @@ struct PlanRead {
   std::vector<formats::Diagnostic> messages;
 };
 
-/// Reads and checks a plan. `memory` is about its catalogue, `said` gives the sources of the scene, for
-/// places in messages, and has no messages yet.
+/// Reads and checks a plan. `memory` belongs to the catalogue of the plan. `said` has the sources of the
+/// scene, for places in messages, but no messages yet.
 std::shared_ptr<const PlanRead> read_and_check(const PlanInput& input, gears::PlanMemory& memory,
                                                formats::Diagnostics said) {
   auto read = std::make_shared<PlanRead>();
@@ -213,7 +213,7 @@ class SceneSource::Memory {
     std::map<std::string, Strength> strengths;
     const auto plan =
         read_plan(root, catalogue, registry, gears::HintTrials::of_errors, diagnostics, strengths);
-    if (plan && diagnostics.errors()) return {};  // the rest of the scene cannot be checked without the gear
+    if (plan && diagnostics.errors()) return {};  // without the gear, the rest of the scene cannot be checked
     LoadedScene loaded =
         SceneReader(root, plan ? &plan->plan : nullptr, gear_, texts.folder(), registry, diagnostics, refused)
             .read(like);

@@ -12,28 +12,28 @@ namespace netloft::scenes {
 ///
 /// The file and those it includes are read at the first instance. Intermediate results of an instance
 /// (catalogue, net plan, division of the gear, initial shape, parameters of parts) are stored with their
-/// inputs, and reused if the inputs are equal. An instance does not depend, in any bit, on the instances
-/// before it. Copies share the stored data. A registry given to instance() has to outlive them. Not safe for
-/// several threads.
+/// inputs, and reused if the inputs are equal. An instance has the same bits whether or not there were other
+/// instances before it. Copies share the stored data. A registry given to instance() has to outlive them. Not
+/// safe for several threads.
 class SceneSource {
  public:
   explicit SceneSource(std::filesystem::path file);
 
   const std::filesystem::path& file() const;
 
-  /// A scene with these texts of its files, by their names as in LoadedScene::files; other files are opened.
-  /// Both scenes share stored results.
+  /// The same scene, but with these texts instead of files; names are those in LoadedScene::files. Other
+  /// files are opened. Both scenes share stored results.
   SceneSource with_texts(std::filesystem::path file, formats::StoredTexts texts) const;
 
-  /// The tables of the file and those it includes, with `changes` applied. Names of catalogue parts stay
-  /// names.
+  /// The tables of the file and of the files that it includes, with `changes` applied. Names of catalogue
+  /// parts are not replaced by their numbers.
   formats::Value tables(const std::vector<formats::Change>& changes, formats::Diagnostics& diagnostics) const;
 
   /// The scene with `changes` applied in their order. All errors go to the diagnostics with their place in a
   /// file or the change that caused them; use the result only if there are no errors. Opens the plugins that
   /// the scene names; sets `refused` if one of them is missing or was rejected.
-  /// `like`: the division of another instance (GearInScene::division), whose mesh topology is taken over, so
-  /// that the mesh is a smooth function of the numbers of the net plan; nullptr: the gear is divided anew.
+  /// `like`: the division of another instance (GearInScene::division), whose mesh topology is used, so that
+  /// the mesh is a smooth function of the numbers of the net plan; nullptr: the gear is divided anew.
   LoadedScene instance(const std::vector<formats::Change>& changes, Registry& registry,
                        formats::Diagnostics& diagnostics, bool& refused,
                        const std::shared_ptr<gears::Division>& like = nullptr) const;

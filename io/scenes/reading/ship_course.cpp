@@ -25,8 +25,8 @@ double rate_of_turn(const gears::ShipMoment& a, const gears::ShipMoment& b) {
 }
 
 /// The rate of turn at a moment where it jumps: the smaller of the rates before and after, or zero if their
-/// signs differ. The velocity of a block jumps there, too, but a course has only one velocity at a time. The
-/// resulting error is on the side with the faster turn, where the points of the course are close.
+/// signs differ. The velocity of a block also jumps there, but a course has only one velocity at a time. The
+/// resulting error is on the side with the faster turn, where the points of the course are close together.
 double at_corner(double before, double after) {
   if (before * after <= 0) return 0;
   return std::abs(before) < std::abs(after) ? before : after;

@@ -128,7 +128,8 @@ class RiderMaker {
     }
   }
 
-  /// Whether `on` has as many names as an element has nodes: they may then name the nodes of one element.
+  /// Whether `on` has as many names as an element has nodes. The names may then be those of the nodes of one
+  /// element.
   bool is_one_of_corners() const { return names_.size() == static_cast<std::size_t>(type_.nodes()); }
 
   void stand_between_points() {
@@ -169,7 +170,7 @@ class RiderMaker {
     for (const auto& [part, order] : grounds_)
       of_part.try_emplace(part, draft_.out.scene.parts[part], *draft_.types[part]);
     const NodeElements& elements = draft_.node_elements();
-    std::vector<std::pair<std::size_t, std::size_t>> parts;  // at one node, by the order of their names
+    std::vector<std::pair<std::size_t, std::size_t>> parts;  // pieces at one node, in the order of the names
     for (const auto node : nodes_) {
       parts.clear();
       for (const auto& at : elements.at(node))  // part by part
@@ -220,10 +221,10 @@ class RiderMaker {
   bool on_nodes_;
   std::vector<std::string> names_;
   std::vector<std::uint32_t> nodes_;
-  std::map<std::size_t, std::size_t> grounds_;  // parts of these nodes, and their order in `on`
+  std::map<std::size_t, std::size_t> grounds_;  // for each part of these nodes: its order in `on`
   std::vector<PanelBelow> panels_;              // panels whose elements the rider copies
   std::vector<std::size_t> ropes_;              // indices of the ropes, for elements on pairs of bars
-  std::vector<std::uint32_t> corners_;          // nodes of one element, named in `on`
+  std::vector<std::uint32_t> corners_;          // nodes of one element, as named in `on`
 };
 
 }  // namespace

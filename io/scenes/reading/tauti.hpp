@@ -13,8 +13,8 @@ namespace netloft::scenes {
 /// The weight of ropes and the lift of floats have the ratio of forces in (1) if the diameters D of ropes and
 /// d of floats have the ratios
 ///   D_F/D_M = √(λ λ'),   d_F/d_M = (λ² λ')^⅓                                               (2)
-/// The drag of ropes and floats then has another ratio: it is proportional to D L V² and d² V², with the
-/// length L of a rope. A scene has the size of the gear. Scaled up to this size, the model has ropes that are
+/// The drag of ropes and floats, which is proportional to D L V² and d² V² (L is the length of a rope), then
+/// has another ratio. A scene has the size of the gear. Scaled up to this size, the model has ropes that are
 /// √(λ/λ') thicker than those of the gear, with a density nearer to that of water, and floats that are
 /// (λ/λ')^⅓ wider. Reynolds numbers are those of the model. In numbers of the full-scale gear, with the
 /// viscosity ν of the tank, they are
@@ -22,8 +22,8 @@ namespace netloft::scenes {
 struct TautiModel {
   double lengths = 1, twines = 1;  // ratios λ, λ' of (1)
 
-  /// The viscosity with which netting of the full scale has the Reynolds number (3), over the viscosity in
-  /// the tank.
+  /// The viscosity with which full-scale netting has the Reynolds number (3), divided by the viscosity in the
+  /// tank.
   double viscosity_of_netting() const;
   /// Replaces the ropes and floats of a scene by those of the model, scaled up to the size of the gear. The
   /// viscosity of the scene's water must be that of viscosity_of_netting().

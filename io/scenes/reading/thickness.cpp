@@ -16,8 +16,8 @@ double number_of(const Part& part, const KnownParameter& known) {
   return number_or(0, part.parameters, known.name);
 }
 
-/// The length of a mesh bar of netting [m]; 0 for other parts. Netting in triangles has it as a datum. An
-/// element of a panel in bars stands for `parallel` twines side by side, each of them `parallel` mesh bars
+/// The length of a mesh bar of netting [m]; 0 for other parts. Netting in triangles has it as a datum. In a
+/// panel in bars, an element stands for `parallel` twines side by side, each of which is `parallel` mesh bars
 /// long.
 double bar_of(const Geometry& geometry) {
   if (const auto* bars = find_data(geometry.data, datum::kBarLength))

@@ -7,7 +7,7 @@
 
 namespace netloft::scenes {
 
-/// A wrong thickness: the table of the part that states it, and the message.
+/// A wrong thickness: the table that states it, and the message.
 struct ThicknessFault {
   const char* key;
   std::string message;

@@ -17,7 +17,7 @@ void read_tow(formats::TableReader tow, Scene& scene) {
   const ParameterBlock block(tow_keys(), sizeof(TowKeys), values, faults);
   if (!faults.empty()) return;
   const auto& keys = *static_cast<const TowKeys*>(block.data());
-  constexpr double kRounding = 1e-15;  // rounding of the sine of half a turn
+  constexpr double kRounding = 1e-15;  // rounding error of the sine of half a turn
   const double c = std::cos(keys.leeway), s = std::sin(keys.leeway);
   scene.ground = {std::abs(c) < kRounding ? 0 : keys.speed * c, std::abs(s) < kRounding ? 0 : keys.speed * s,
                   0};

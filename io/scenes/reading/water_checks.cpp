@@ -27,8 +27,8 @@ Heights heights_of(const Scene& scene) {
   return gear;
 }
 
-/// Warns of a current whose profile lies above the surface, or above or below the gear with a gap between
-/// them. A profile is constant beyond its heights, so that only one of its values would act.
+/// Warns of a current whose profile is above the surface, or entirely above or below the gear. A profile is
+/// constant beyond its heights, so that only one of its values would act.
 void check_profile(const Scene& scene, formats::TableReader& root) {
   const auto& profile = scene.current.samples;
   if (scene.current.is_uniform() || scene.positions.empty()) return;
@@ -48,7 +48,7 @@ void check_profile(const Scene& scene, formats::TableReader& root) {
 }
 
 /// Warns of a current that has the velocity of the tow, at all heights and at some time: the water would pass
-/// the gear twice as fast as meant.
+/// the gear twice as fast as intended.
 void check_tow(const Scene& scene, formats::TableReader& root) {
   // The velocities count as equal within this fraction of the towing speed. Gears are rarely towed through a
   // current of the same velocity.

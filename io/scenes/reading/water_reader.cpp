@@ -52,7 +52,8 @@ void WaterReader::read_ship() {
 
 /// Sets the water of the scene, with the viscosity of a model test. By Froude's rule (W. Froude), a model at
 /// the scale 1 : s has velocities that are smaller by √s. In water of viscosity ν it has the Reynolds numbers
-/// of the gear in water of viscosity ν s^1.5; if nothing stretches, everything else is similar.
+/// of the gear in water of viscosity ν s^1.5; if nothing stretches, model and gear are similar in all other
+/// respects.
 void WaterReader::take_water(const WaterKeys& keys, formats::TableReader& water) {
   out_.scene.water = keys;
   if (keys.model_twine_scale == 0) {

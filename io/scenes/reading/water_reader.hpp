@@ -16,12 +16,12 @@ class WaterReader {
   void read();
   /// Reports waves in a static analysis, where they have no effect, as an error.
   void check_waves();
-  /// Scales ropes and floats by Tauti's rule (tauti.hpp), if the scene asks for it. A motion is then an
-  /// error, because the rule makes forces similar but not masses.
+  /// If the scene requests it, scales ropes and floats by Tauti's rule (tauti.hpp). A motion is then an
+  /// error, because the rule makes forces similar, but not masses.
   void take_model();
   /// Gives the factors of `[bed] bottom` to all parts that rest on the bed.
   void lay_bottom();
-  /// The key of `[bed]` by which the bed differs between port and starboard; nullptr if there is none.
+  /// A key of `[bed]` that makes the bed differ between port and starboard; nullptr if there is none.
   const char* uneven_key() const;
   bool says_tow() const { return says_tow_; }
 

@@ -7,7 +7,7 @@
 
 namespace netloft::scenes {
 
-/// The wave number k > 0 [1/m] that satisfies ω² = g k tanh(k d), to the last digits of double precision.
+/// The wave number k > 0 [1/m] that satisfies ω² = g k tanh(k d), accurate to double precision.
 double wave_number(double omega, double gravity, double depth);
 
 /// Height at which regular waves of the length λ = 2π/k break: 0.142 λ tanh(k d) [m] (R. Miche, "Mouvements
@@ -47,7 +47,7 @@ class AiryWaves : public WaterField {
     bool is_stretched = true;
   };
 
-  /// `sea` moves along with the tow and the drift of `current`.
+  /// The waves of `sea` move along with the tow and the drift of `current`.
   AiryWaves(Sea sea, double gravity, Current current);
   WaterMotion at(const std::array<double, 3>& place, double time) const override;
   double height(const std::array<double, 3>& place, double time) const;

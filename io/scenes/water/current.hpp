@@ -6,15 +6,15 @@
 namespace netloft::scenes {
 
 /// Reads `water.current`: one velocity [vx, vy, vz]; a profile { z = […], x = […], y = […] } over height,
-/// with a factor over time if it has one; or velocities over time { t = […], x = […], y = […] }. Without the
-/// key the water is still.
+/// optionally with a factor over time; or velocities over time { t = […], x = […], y = […] }. If the key is
+/// missing, the water is still.
 Current read_current(formats::TableReader& water);
 
 /// The velocities of a current at one time, from its lowest height to its highest [m/s].
 using VelocitiesOverHeight = std::vector<std::array<double, 3>>;
 
-/// The velocities of a current at all its given times and heights. The current is linear in between and
-/// constant beyond, so that its speed never exceeds the greatest of these.
+/// The velocities of a current at all its given times and heights. The current is linear between them and
+/// constant beyond them, so that its speed never exceeds the greatest of these velocities.
 std::vector<VelocitiesOverHeight> velocities_at_kinks(const Current& current);
 
 }  // namespace netloft::scenes

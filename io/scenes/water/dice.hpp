@@ -14,8 +14,8 @@ class Dice {
 
   std::uint64_t next();
   double uniform(double lo, double hi);                  // a number from lo to hi, hi excluded
-  double log_uniform(double lo, double hi);              // lo and hi are above zero
-  std::int64_t whole(std::int64_t lo, std::int64_t hi);  // a number from lo to hi, both included
+  double log_uniform(double lo, double hi);              // lo and hi must be above zero
+  std::int64_t whole(std::int64_t lo, std::int64_t hi);  // a number from lo to hi, both ends included
   std::size_t index(std::size_t count) { return static_cast<std::size_t>(next() % count); }
 
  private:

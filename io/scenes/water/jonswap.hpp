@@ -6,15 +6,15 @@
 
 namespace netloft::scenes {
 
-/// The spectrum S(f) [m² s] over the frequency f [Hz] of a sea that still grows under the wind (K. Hasselmann
-/// et al., "Measurements of wind-wave growth and swell decay during the Joint North Sea Wave Project",
-/// Deutsche Hydrographische Zeitschrift A8 (12), 1973):
+/// The spectrum S(f) [m² s], over the frequency f [Hz], of a sea that is still growing under the wind (K.
+/// Hasselmann et al., "Measurements of wind-wave growth and swell decay during the Joint North Sea Wave
+/// Project", Deutsche Hydrographische Zeitschrift A8 (12), 1973):
 ///   S(f) ~ f⁻⁵ exp(−5/4 (f_p/f)⁴) γ^exp(−(f/f_p − 1)²/(2 σ²)),  σ = 0.07 up to f_p, 0.09 above it     (1)
 ///   ∫ S df = H_s²/16                                                                                  (2)
 struct Jonswap {
   double height = 0;        // significant wave height H_s [m]
   double period = 0;        // peak period 1/f_p [s]
-  double peakedness = 3.3;  // γ, the mean of JONSWAP; 1 is Pierson and Moskowitz's
+  double peakedness = 3.3;  // γ; 3.3 is the mean of JONSWAP, 1 the spectrum of Pierson and Moskowitz
   std::int64_t components = 100, seed = 1;
 
   /// The shape (1) at `ratio` = f/f_p, without its factor.

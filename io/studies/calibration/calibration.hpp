@@ -9,13 +9,13 @@ struct Calibration {
   CalibrationFile file;
   std::vector<Measurement> measured;  // values in the order of the file, each in the unit of its figure
   std::vector<std::string> units;
-  Fit fit;                         // rows: the fitted measurements, then those held back
+  Fit fit;                         // rows: first the fitted measurements, then those that were held back
   std::vector<std::size_t> order;  // for each row of `fit`, the index of its measurement in the file
   bool is_interrupted = false;     // true: the user interrupted
   int solves = 0;
   double cpu_seconds = 0;
   std::vector<std::string> unstable;  // scenes with an unstable equilibrium at the fitted parameters
-  std::string trouble;  // why the last failed scene has no equilibrium, if the fit did not converge
+  std::string trouble;  // if the fit did not converge: why the last failed scene has no equilibrium
 
   /// Half width of the intervals of parameters and of the bands of predictions, in standard deviations.
   double width() const;

@@ -22,14 +22,14 @@ struct CalibrationVariable {
   Variable variable;
   Distribution distribution;
   std::vector<std::size_t> scenes;  // indices of the scenes in which the variable is set
-  /// Whether the variable is set in all scenes; false: only in those that its key `scenes` names.
+  /// Whether the variable is set in all scenes; if not, its key `scenes` names the scenes.
   bool is_shared = true;
   double prior_mean() const;
   double prior_deviation() const;
 };
 
-/// A measured value of a figure (a number that the run of a scene reports). Value and deviation stay texts
-/// with units until the unit of the figure is known.
+/// A measured value of a figure (a number that the run of a scene reports). Value and deviation are texts
+/// with units, because the unit of the figure is not known yet.
 struct MeasuredFigure {
   std::size_t scene = 0;
   std::string figure;  // name of the figure: "gear/mouth/headline_height"

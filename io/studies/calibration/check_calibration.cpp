@@ -12,7 +12,7 @@ namespace netloft::studies {
 
 namespace {
 
-/// Opens one scene of the calibration after another, and collects errors.
+/// Opens all scenes of the calibration, one after another, and collects errors.
 class CalibrationInspection {
  public:
   CalibrationInspection(const CalibrationFile& file, const std::filesystem::path& folder, Registry& registry,
@@ -35,7 +35,7 @@ class CalibrationInspection {
   }
 
   /// Opens a scene at both ends of the interval of each variable. Stops at the first wrong value, because
-  /// other values are mostly wrong in the same way.
+  /// other values would usually cause the same error.
   void inspect(std::size_t scene) {
     if (!open(scene, means(), true)) return;
     for (std::size_t v = 0; v < file_.variables.size(); ++v) {

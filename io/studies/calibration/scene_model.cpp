@@ -14,7 +14,8 @@ namespace netloft::studies {
 
 namespace {
 
-constexpr int kIterations = 30;  // limit of iterations from the previous equilibrium, before a new search
+constexpr int kIterations = 30;  // limit of iterations from the previous equilibrium; then follows a new
+                                 // search
 
 double figure_named(const std::vector<StudyFigure>& figures, const std::string& name) {
   const auto at = std::find_if(figures.begin(), figures.end(), [&](const auto& f) { return f.name == name; });
@@ -132,7 +133,7 @@ std::optional<std::vector<std::vector<double>>> SceneModel::slopes(const std::ve
 }
 
 /// Adds the derivatives of the measured figures of one scene with respect to its variables. Returns false if
-/// there are none.
+/// there are no derivatives.
 bool SceneModel::add_slopes(std::size_t scene, const std::vector<double>& parameters,
                             std::vector<std::vector<double>>& rows) {
   if (last_[scene].parameters != parameters && !figures(scene, parameters)) return false;

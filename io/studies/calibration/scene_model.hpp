@@ -25,7 +25,7 @@ class SceneModel : public Model {
   bool is_interrupted() const override { return watch_.interrupt && watch_.interrupt->load(); }
 
   int solves() const { return solves_; }
-  /// The fault of the last scene without a result: "slow: not converged; largest residual …".
+  /// Why the last scene without a result has none: "slow: not converged; largest residual …".
   const std::string& trouble() const { return trouble_; }
   /// Names of the scenes with an unstable equilibrium at the last prediction.
   std::vector<std::string> unstable() const;
@@ -47,7 +47,7 @@ class SceneModel : public Model {
   std::string trouble_;
 };
 
-/// Arguments of `--set` that give the variables of a scene these values.
+/// Arguments of `--set` that set the variables of a scene to these values.
 std::vector<std::string> overrides_of(const CalibrationFile& file, std::size_t scene,
                                       const std::vector<double>& parameters);
 

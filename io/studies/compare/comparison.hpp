@@ -12,10 +12,10 @@ struct ComparisonTask {
   bool is_of_motions = false;      // true: the methods are integrators
   std::vector<Method> methods;     // at least one method
   std::vector<double> tolerances;  // decreasing; of integrators: accuracies
-  int repeats = 3;                 // runs of every trial, of which the cheapest counts
-  std::string reference;           // solver or integrator for references; empty: any but the tested one
-  std::optional<CellList> cells;   // meshes for the discretisation error
-  // Integrators to compare whose plugins are not installed, each with a sentence that says so.
+  int repeats = 3;                 // how often each trial is run; the cheapest run counts
+  std::string reference;          // solver or integrator for references; empty: any other than the tested one
+  std::optional<CellList> cells;  // meshes for the discretisation error
+  // Requested integrators whose plugins are not installed, each with a sentence about it.
   std::map<std::string, std::string> absent;
 };
 
@@ -33,7 +33,7 @@ struct MethodResult {
   std::optional<ReferenceAnswer> reference;  // nullopt: no other solver converged
   // If set, method and reference found different equilibria, and the trials have no errors.
   std::optional<OtherEquilibrium> other;
-  bool is_absent = false;  // true: the plugin is not installed; the only trial says so
+  bool is_absent = false;  // whether the plugin is not installed; the only trial then says so
 };
 
 /// Speed against error of several methods on one scene.
@@ -46,13 +46,13 @@ struct Comparison {
   double size = 0;  // diagonal of the gear's bounding box [m]
   std::vector<MethodResult> methods;
   std::optional<Discretisation> discretisation;
-  bool is_interrupted = false;  // true: the user interrupted; some methods and steps are missing
+  bool is_interrupted = false;  // whether the user interrupted; some methods and steps are then missing
 
   bool any_converged() const;
   bool any_failed() const;  // whether a plugin broke down in a trial
 };
 
-/// Runs all trials. The caller must have opened the scene with every method before, and reported its errors.
+/// Runs all trials. Before, the caller must have opened the scene with every method and reported errors.
 /// Throws std::runtime_error if a scene still has errors, std::invalid_argument if its parts cannot be
 /// divided into `task.cells`.
 Comparison compare(const runs::CaseSource& source, Registry& registry, const ComparisonTask& task,

@@ -7,7 +7,7 @@ namespace netloft::studies {
 
 namespace {
 
-constexpr double kTolerance = 1e-10;  // keeps solver errors well below mesh errors
+constexpr double kTolerance = 1e-10;  // small enough to keep solver errors well below mesh errors
 
 runs::CaseSource divided(const runs::CaseSource& source, const MeshLevel& level) {
   runs::CaseSource with = source;

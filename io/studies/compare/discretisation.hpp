@@ -22,14 +22,14 @@ struct Discretisation {
   std::string part;  // name of the part whose cells are counted
   std::vector<MeshResult> levels;
   double order = std::numeric_limits<double>::quiet_NaN();  // order on the three finest meshes
-  // Whether the observed orders agree. If not, errors are distances to the finest mesh, and the error of the
-  // finest mesh is unknown.
+  // Whether the observed orders agree. If not, errors are distances from the answer on the finest mesh, whose
+  // own error is unknown.
   bool steady = false;
 };
 
 /// Solves the scene on every mesh, and extrapolates the position of each node from the two finest meshes. The
 /// order of convergence is observed on the nodes that the three finest meshes have in common. Mean distances
-/// over these nodes are used, because corners converge more slowly than the rest.
+/// over these nodes are used, because corners converge more slowly than other places.
 Discretisation find_discretisation_error(const runs::CaseSource& source, Registry& registry,
                                          const Method& method, const std::string& part,
                                          const std::vector<MeshLevel>& levels, const runs::Watch& watch);

@@ -103,14 +103,14 @@ std::vector<std::uint32_t> parts_of(const scenes::GearInScene& gear) {
   return parts;
 }
 
-/// Whether `text` names a node by its number ("net.node-17") in one of `parts`. Such a number means a
-/// different node on another mesh.
+/// Whether `text` names a node by its number ("net.node-17") in one of `parts`. On another mesh, this number
+/// belongs to another node.
 bool names_a_divided_node(const std::string& text, const Names& parts) {
   const auto dot = text.find(".node-");
   return dot != std::string::npos && parts.contains(text.substr(0, dot));
 }
 
-/// Calls visit(text, place) for every text in a value of TOML and in the arrays and tables below it.
+/// Calls visit(text, place) for every text in a TOML value, including texts in its arrays and tables.
 template <class Visit>
 void for_texts(const formats::Value& value, const Visit& visit) {
   if (const auto* text = value.as<std::string>()) visit(*text, value.place);

@@ -14,12 +14,12 @@ struct MeshLevel {
   std::vector<formats::Change> changes;
 };
 
-/// The fineness of a mesh, by which meshes are compared.
+/// The fineness of a mesh, for the comparison of meshes.
 struct MeshSize {
   std::int64_t count = 0;  // number of cells of the leading part, or of nodes of a gear
   double width = 0;        // mesh width in arbitrary units: 1/cells, 1/√nodes
   std::string of;          // what is counted: "cells of net", "nodes of the gear"
-  bool is_similar = true;  // false: the mesh of a gear, which is triangulated anew for each fineness
+  bool is_similar = true;  // false for the mesh of a gear, which is triangulated anew for each fineness
 };
 MeshSize count_mesh(const scenes::LoadedScene& loaded);
 
@@ -33,8 +33,8 @@ struct CellList {
 /// cells.
 CellList read_cell_list(const std::string& text);
 
-/// The part whose number of cells names a mesh: the first panel, or the first rope if there is no panel.
-/// Throws std::invalid_argument if no part is divided into cells.
+/// The part whose number of cells is used to name a mesh: the first panel or, if there is no panel, the first
+/// rope. Throws std::invalid_argument if no part is divided into cells.
 const scenes::PartGeometry& leading_part(const scenes::LoadedScene& loaded);
 
 /// The meshes of a list: the leading part gets the listed number of cells, and all other parts are divided in

@@ -27,7 +27,7 @@ void judge(const std::vector<NumbersOnMesh>& meshes, std::size_t own, NumberGrou
   }
 }
 
-/// The meshes used ("300, 600 (not stable)"), and how errors were found from them.
+/// The meshes that were used ("300, 600 (not stable)"), and how errors were estimated from them.
 std::string note_on(const std::vector<NumbersOnMesh>& meshes) {
   std::vector<std::string> counts;
   for (const auto& mesh : meshes)

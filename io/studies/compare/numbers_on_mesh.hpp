@@ -29,12 +29,13 @@ NumbersOnMesh numbers_of(runs::PreparedScene& solved, const Solution& solution,
 using NumberGroup = std::vector<results::NamedScalar> NumbersOnMesh::*;
 
 /// Solves a scene on another mesh. nullopt if forces do not balance at the end; `why_not` is then the reason.
-/// An unstable equilibrium is accepted, because its figures depend on the mesh like those of a stable one.
+/// Accepts an unstable equilibrium, because its figures depend on the mesh in the same way as those of a
+/// stable equilibrium.
 std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const runs::CaseSource& source,
                                       Registry& registry, const runs::Watch& watch, std::string& why_not);
 
-/// The limit of a number under mesh refinement, and its distance from that limit on the mesh with index
-/// `asked`. NaN if the number is missing on some mesh.
+/// The limit of a number under mesh refinement, and the distance of the number from that limit on the mesh
+/// with index `asked`. NaN if the number is missing on some mesh.
 Trend find_trend_of(const std::string& name, NumberGroup numbers, const std::vector<NumbersOnMesh>& meshes,
                     std::size_t asked);
 

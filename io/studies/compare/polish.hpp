@@ -20,8 +20,8 @@ struct Polished {
 /// `fresh` is a prepared scene that has not been solved yet.
 Polished polish(runs::PreparedScene& fresh, const std::vector<double>& u);
 
-/// Processor time of one numeric factorisation of the exact tangent at `u` [s], the least of several. It
-/// serves as a unit of work that can be compared between machines.
+/// Processor time of one numeric factorisation of the exact tangent at `u` [s], the least of several. It is
+/// used as a unit of work, which makes different machines comparable.
 double factorisation_seconds(runs::PreparedScene& fresh, const std::vector<double>& u);
 
 }  // namespace netloft::studies

@@ -12,7 +12,7 @@ namespace {
 
 // Tolerances to try. Most solvers reach the first one; slow ones may reach only a looser one.
 constexpr std::array<double, 3> kTolerances{1e-9, 1e-6, 1e-4};
-// Solvers in decreasing order of trust. The two methods of newton share little code.
+// Solvers, the most trusted first. The two methods of newton share little code.
 constexpr std::array<const char*, 6> kTrusted{
     "newton", "ptc", "lbfgs", "relaxation", "newton:method=classic", "newton:method=globalised"};
 

@@ -9,12 +9,12 @@ namespace netloft::studies {
 /// improved it until only round-off was left.
 struct ReferenceAnswer {
   Method method;
-  bool independent = true;  // whether its solver is from another plugin than the tested method
+  bool independent = true;  // whether its solver comes from another plugin than the tested method
   double tolerance = 0;     // tolerance to which this solver converged
   Stability stability = Stability::unknown;
   Polished answer;
-  // For a motion: its path, and whether the loss factors of materials count in it. answer.uncertainty is then
-  // the largest distance from the path of another integrator with the same accuracy.
+  // For a motion: its path, and whether loss factors of materials are used. answer.uncertainty is then the
+  // largest distance from the path of another integrator with the same accuracy.
   std::vector<std::vector<double>> path = {};
   bool is_damped = true;
 };
@@ -26,8 +26,8 @@ struct ReferenceAnswer {
 std::vector<Method> reference_methods(const Method& method, const std::vector<std::string>& available,
                                       const std::string& wanted);
 
-/// The solver plugin of a method: "newton" for "newton:method=classic". For a strategy it is the default
-/// solver, which the stages of the strategy use.
+/// The solver plugin of a method: "newton" for "newton:method=classic". For a strategy, it is the default
+/// solver, because the stages of the strategy use it.
 std::string plugin_of(const Method& method);
 
 /// The answers of reference solvers to one scene, each computed on first use.

@@ -7,7 +7,8 @@ namespace netloft::studies {
 /// The paths against which errors of motions are measured. Each is computed by an integrator from another
 /// plugin than the tested one. Its accuracy is ten times finer than the tightest in the comparison, or equal
 /// to the tightest if the motion fails at the finer one. The uncertainty of this path is its distance from
-/// the path of a further integrator. Methods without damping of materials are compared with paths without it.
+/// the path of another integrator. Methods without damping of materials are compared with paths without such
+/// damping.
 class ReferencePaths {
  public:
   /// `wanted`: the integrator to use; empty: the most trusted installed one. `tightest`: the smallest
@@ -21,7 +22,7 @@ class ReferencePaths {
         watch_(watch) {}
 
   /// The reference for a method; nullopt if the motion fails with every integrator. `is_damped`: whether the
-  /// method counts the damping of materials.
+  /// method includes the damping of materials.
   std::optional<ReferenceAnswer> find_for(const Method& method, bool is_damped);
 
  private:

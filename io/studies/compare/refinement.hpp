@@ -9,7 +9,8 @@ struct Refinement {
   std::string scene;
   std::vector<NumbersOnMesh> meshes;  // meshes, the coarsest first
   std::vector<std::string> missing;   // sentences about meshes without an answer
-  bool is_interrupted = false;  // true: the user interrupted; the mesh in progress and finer ones are missing
+  bool is_interrupted = false;  // whether the user interrupted; the current mesh and finer meshes are then
+                                // missing
 };
 
 /// One number on all meshes, and its limit.

@@ -13,7 +13,7 @@ namespace {
 /// The rounding unit of positions [m]: smaller errors are zero.
 double floor_of(const Comparison& c) { return std::numeric_limits<double>::epsilon() * c.size; }
 
-/// Adds a point. If several tolerances lead to the same error, they share the point with the least work.
+/// Adds a point. If several tolerances lead to the same error, only the point with the least work is kept.
 void add(std::vector<formats::PlotSeries::Point>& points, formats::PlotSeries::Point p) {
   if (!points.empty() && points.back().x == p.x)
     points.back().y = std::min(points.back().y, p.y);

@@ -12,8 +12,8 @@ constexpr double kNoOrder = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLeastOrder = 0.5, kMostOrder = 2.5, kSteady = 0.5, kHighestOrder = 20;
 constexpr double kSafety = 1.25;        // safety factor in (4)
 constexpr double kSafetyOfScatter = 2;  // safety factor in (5)
-// Least change between meshes that counts as divergence, as a fraction of the value. Singular tensions at
-// rope ends on corners of netting change by a tenth or more; other figures that happen to drift change by
+// Least change between meshes that counts as divergence, as a fraction of the value. Singular tensions, at
+// rope ends on corners of netting, change by a tenth or more; other figures that drift by chance change by
 // less.
 constexpr double kNoise = 0.1;
 

@@ -4,9 +4,9 @@
 
 namespace netloft::studies {
 
-/// Whether `figure` is the tension at the end of a rope, or is computed from such tensions. Where a rope ends
-/// at a free corner of netting this tension is singular: it has no limit under mesh refinement, and therefore
-/// no error. The tension a short distance inside the rope has a limit.
+/// Whether `figure` is the tension at the end of a rope, or is computed from such tensions. At a free corner
+/// of netting, this tension is singular: it has no limit under mesh refinement, and therefore no error. The
+/// tension a short distance inside the rope has a limit.
 bool is_of_rope_end(const std::string& figure);
 
 /// Returns a sentence such as "ropes/headrope/tension_starboard does not converge with the mesh; 1.2 m from

@@ -11,8 +11,8 @@ namespace netloft::studies {
 /// path.
 struct Trial {
   double tolerance = 0;
-  bool tried = true;    // false: the method has already failed at a looser tolerance
-  bool failed = false;  // true: its plugin broke down; `reason` has the error
+  bool tried = true;    // false if the method has already failed at a looser tolerance
+  bool failed = false;  // whether its plugin broke down; `reason` has the error
   SolveStatus status = SolveStatus::not_converged;
   Stability stability = Stability::unknown;
   std::string reason;  // why there is no answer, as a sentence
@@ -30,7 +30,7 @@ struct Trial {
   std::vector<double> x, u;               // positions and displacements, as in Solution
   std::vector<std::vector<double>> path;  // path of a motion: x at every output
   std::int64_t steps = 0, rejected = 0;   // accepted and rejected time steps of a motion
-  bool is_damped = true;                  // false: loss factors of materials were left out
+  bool is_damped = true;                  // whether loss factors of materials were used
 
   std::string outcome() const {
     if (!tried) return "not tried";
@@ -46,7 +46,7 @@ struct Trial {
 struct Method {
   std::string specification;  // such as "newton:method=classic", "strategy auto", "integrator newmark"
 
-  /// "solver", "strategy" or "integrator". The scene's table [analysis] has a key of this name.
+  /// "solver", "strategy" or "integrator". The table [analysis] of a scene has a key of this name.
   std::string kind() const;
   /// The specification without its keyword: "auto" for "strategy auto".
   std::string name() const;
@@ -60,8 +60,8 @@ runs::CaseSource source_for(const runs::CaseSource& source, const Method& method
 Trial run_trial(const runs::CaseSource& source, Registry& registry, const Method& method, double tolerance,
                 int repeats, const runs::Watch& watch);
 
-/// Runs all tolerances from the loosest to the tightest. After a failure the tighter ones are skipped, except
-/// for motions, because shorter steps may succeed.
+/// Runs all tolerances from the loosest to the tightest. After a failure, tighter tolerances are skipped; but
+/// not for motions, because shorter steps may succeed.
 std::vector<Trial> run_trials(const runs::CaseSource& source, Registry& registry, const Method& method,
                               const std::vector<double>& tolerances, int repeats, const runs::Watch& watch);
 

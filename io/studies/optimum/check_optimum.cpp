@@ -18,7 +18,7 @@ namespace netloft::studies {
 
 namespace {
 
-constexpr double kLittle = 1e-6;  // change, as a fraction of a range, that must not change the mesh
+constexpr double kLittle = 1e-6;  // a change by this fraction of a range must not change the mesh
 
 /// Compares a file with its scene. The member functions are the steps, in the order of execution.
 class OptimumInspection {
@@ -58,8 +58,8 @@ class OptimumInspection {
   }
 
  private:
-  /// Opens the scene with changes; nullptr if that fails, with the faults in `scene_faults_`. `like`: a scene
-  /// whose mesh topology is taken over, or nullptr.
+  /// Opens the scene with changes. If that fails, returns nullptr and stores the faults in `scene_faults_`.
+  /// `like`: a scene whose mesh topology is used, or nullptr.
   std::shared_ptr<runs::PreparedScene> try_open(const std::vector<formats::Change>& changes,
                                                 const runs::PreparedScene* like = nullptr) {
     runs::CaseSource source = source_;
@@ -71,8 +71,8 @@ class OptimumInspection {
     return state == runs::PreparedScene::State::ready ? scene : nullptr;
   }
 
-  /// Opens the scene like try_scene(), and reports its faults: at the key of the file that causes them, or
-  /// else at `place`.
+  /// Opens the scene like try_scene(), and reports its faults: at the key of the file that causes them or, if
+  /// no key does, at `place`.
   std::shared_ptr<runs::PreparedScene> open(const std::vector<formats::Change>& changes,
                                             const formats::Place& place) {
     const auto scene = try_open(changes);
@@ -80,7 +80,7 @@ class OptimumInspection {
     return scene;
   }
 
-  /// The figure of a name; nullptr, after an error, if there is none.
+  /// The figure of this name. If there is none, reports an error and returns nullptr.
   const StudyFigure* find(const std::string& name, const formats::Place& place) {
     std::vector<std::string> names;
     for (const StudyFigure& figure : known_) {
@@ -197,7 +197,7 @@ class OptimumInspection {
   formats::Diagnostics& diagnostics_;
   const std::function<void(double)>& on_budget_;
   std::map<std::string, formats::Place> places_;  // places of keys in the file
-  formats::Diagnostics scene_faults_;             // those of the scene that was opened last
+  formats::Diagnostics scene_faults_;             // faults of the scene that was opened last
   std::vector<StudyFigure> known_;                // figures that the scene reports
   CheckedOptimum checked_;
 };

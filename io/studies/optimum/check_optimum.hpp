@@ -14,16 +14,16 @@ namespace netloft::studies {
 struct CheckedOptimum {
   OptimumProblem problem;  // in the units of the variables and the figures
   std::vector<std::string> figures,
-      units;                    // the objective and the constraints: their figures, and units of these
+      units;                    // objective and constraints: their figures, and the units of these
   double objective_factor = 1;  // the objective in the unit of the file, per unit of its figure
-  std::string inputs;           // hash of all that determines the figures at a point
-  bool refused = false;         // true: a plugin is missing or was rejected
+  std::string inputs;           // hash of everything on which the figures at a point depend
+  bool refused = false;         // whether a plugin is missing or was rejected
   std::shared_ptr<runs::PreparedScene> scene;  // the scene at its own numbers
 };
 
-/// Opens the scene, and opens it again with each variable at its start, a little beside that, and at both
-/// ends of its range. Errors are reported in the file: wrong keys, values, figures and units, and variables
-/// that cannot change continuously, because the mesh changes with them. `on_budget` receives the processor
+/// Opens the scene, and opens it again with each variable at its start, a little beside its start, and at
+/// both ends of its range. Reports errors in the file: wrong keys, values, figures and units, and variables
+/// that cannot change continuously because the mesh changes with them. `on_budget` receives the processor
 /// time allowed for the figures of the scene [s].
 CheckedOptimum check_optimum(const OptimumFile& file, const std::filesystem::path& folder, Registry& registry,
                              formats::Diagnostics& diagnostics,

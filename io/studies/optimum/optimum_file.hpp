@@ -14,7 +14,7 @@ struct OptimumVariable {
   Variable variable;
   // In the unit of the variable:
   std::optional<double> start = {};  // where the search begins; nullopt: as in the scene
-  std::optional<double> step = {};   // the answer is a whole multiple of it; nullopt: any number
+  std::optional<double> step = {};   // the answer must be a whole multiple of it; nullopt: any number
 };
 
 /// Limits of a figure of the scene. They stay texts until the unit of the figure is known.
@@ -39,8 +39,8 @@ struct OptimumFile {
   int solves = 60;  // limit of the number of solves
 };
 
-/// Reads the file. Errors are reported to `diagnostics`. After errors, the result has only what was read
-/// without them, and may be used to find further errors (check_optimum).
+/// Reads the file. Errors are reported to `diagnostics`. After errors, the result contains only the parts
+/// that could be read; it may be used to find further errors (check_optimum).
 OptimumFile read_optimum_file(const std::filesystem::path& path, formats::Diagnostics& diagnostics);
 
 }  // namespace netloft::studies

@@ -28,7 +28,7 @@ std::string line_of(const KnownPoint& point, const std::string& inputs) {
   return line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// The point of a line; nullopt if the line is damaged, or belongs to other inputs.
+/// The point in a line; nullopt if the line is damaged or belongs to other inputs.
 std::optional<KnownPoint> read_line(const std::string& text, const std::string& inputs) {
   try {
     const Json line = Json::parse(text);

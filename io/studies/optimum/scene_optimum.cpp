@@ -78,7 +78,7 @@ class FiguresModel : public Model {
   }
 
  private:
-  /// An equilibrium, from which others are sought.
+  /// An equilibrium from which searches for others start.
   struct Solved {
     std::vector<double> parameters;
     std::unique_ptr<runs::PreparedScene> scene;
@@ -110,8 +110,8 @@ class FiguresModel : public Model {
     formats::append(source.changes, formats::read_changes(words_of(file_, p)));
     last_.scene =
         std::make_unique<runs::PreparedScene>(std::move(source), registry_, checked_.scene->factorisations());
-    // All points have the mesh topology of the original scene. Figures then depend on the variables alone,
-    // and are smooth even in mesh counts and mesh sizes.
+    // All points have the mesh topology of the original scene. Figures then depend only on the variables, and
+    // are smooth functions even of mesh counts and mesh sizes.
     if (last_.scene->prepare_like(*checked_.scene) != runs::PreparedScene::State::ready) {
       known.reason = first_fault(last_.scene->diagnostics());
     } else {
@@ -162,12 +162,12 @@ class FiguresModel : public Model {
   PointHistory& history_;
   const runs::Watch& watch_;
   std::vector<double> accepted_;  // the point that the search accepted last
-  Solved base_, last_;            // the accepted equilibrium, and the last that was searched for
+  Solved base_, last_;            // the accepted equilibrium, and the result of the last search
   int solves_ = 0;
   std::string trouble_;
 };
 
-/// The two whole multiples of a step around a number, the nearest first.
+/// The two whole multiples of a step around a number, the nearer one first.
 std::array<double, 2> multiples_beside(double number, double step) {
   const double nearest = std::round(number / step), other = nearest + (nearest * step < number ? 1 : -1);
   const auto multiple = [&](double times) { return std::stod(fmt::format("{:.12g}", times * step)); };
@@ -205,7 +205,7 @@ class Rounding {
 
   int left() const { return done_.file.solves - static_cast<int>(done_.found.history.size()); }
 
-  /// Seeks the optimum of the problem, and adds its points to the history.
+  /// Searches the optimum of the problem, and adds its points to the history.
   bool seek() {
     std::vector<OptimumPoint> points = std::move(done_.found.history);
     const int most = std::max(1, done_.file.solves - static_cast<int>(points.size()));
@@ -273,7 +273,7 @@ std::string scene_text(const SceneOptimum& optimum, const std::filesystem::path&
                        const std::filesystem::path& place) {
   namespace fs = std::filesystem;
   const fs::path scene = folder / optimum.file.scene;
-  formats::Diagnostics unheard;  // errors were reported when the scene was opened
+  formats::Diagnostics unheard;  // errors have been reported when the scene was opened
   const formats::Value base = formats::Document::load(scene, {}, unheard).root();
   formats::Value changed = base;
   for (const auto& change : formats::read_changes(overrides_of(optimum.file, optimum.found.best.parameters)))

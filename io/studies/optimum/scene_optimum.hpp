@@ -12,9 +12,9 @@ struct SceneOptimum {
   OptimumFile file;
   CheckedOptimum checked;
   Optimum found;  // in the units of the variables and of the figures
-  /// The best objective before variables were set to multiples of their steps; nullopt: none was set.
+  /// The best objective before variables were set to multiples of their steps; nullopt if there are no steps.
   std::optional<double> unrounded;
-  std::vector<StudyFigure> before, after;  // all figures at the start and at the best point; empty: unknown
+  std::vector<StudyFigure> before, after;  // all figures at the start and at the best point; empty if unknown
   int solves = 0;  // number of searches for an equilibrium; points of the history are not counted
   double cpu_seconds = 0;
   bool is_interrupted = false;
@@ -27,8 +27,8 @@ struct SceneOptimum {
 /// Finds the values of the variables at which the objective is best. Every solve starts from the equilibrium
 /// at the last accepted point, moved by its derivatives (runs::Tangent). Points in `history` are not solved
 /// again. At the end, variables with a step are rounded one by one: each is fixed at the nearest multiple of
-/// its step, or else at the one on the other side, and the search for the other variables is repeated. Throws
-/// formats::WriteError.
+/// its step or, if that fails, at the multiple on the other side, and the search for the other variables is
+/// repeated. Throws formats::WriteError.
 SceneOptimum optimise_scene(OptimumFile file, CheckedOptimum checked, const std::filesystem::path& folder,
                             Registry& registry, PointHistory& history, const runs::Watch& watch,
                             const std::function<void(const OptimumPoint&)>& on_point = {});
@@ -44,7 +44,7 @@ std::string scene_text(const SceneOptimum& optimum, const std::filesystem::path&
 /// The report as text, and as one JSON object.
 std::string optimum_text(const SceneOptimum& optimum);
 std::string optimum_json(const SceneOptimum& optimum);
-/// The objective over the solves, relative to its value at the start.
+/// A plot of the objective over the number of solves, relative to its value at the start.
 formats::LinePlot optimum_plot(const SceneOptimum& optimum);
 
 }  // namespace netloft::studies

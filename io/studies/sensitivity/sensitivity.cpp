@@ -31,9 +31,9 @@ constexpr double kShortStep = 1e-6;
 /// The long step as a multiple of h.
 constexpr double kLongStep = 1000;
 /// A fold is confirmed if a correction by K has at least this fraction of the length of the step before it.
-/// The step goes twice the distance s to the expected fold. At a fold d²x = dx/2s, so that the correction is
-/// ½ (2s)² d²x = s dx, half of the step; later corrections grow, because no equilibrium is there. Half of
-/// that is the limit.
+/// The step goes twice the distance s to the expected fold. Near a fold, d²x = dx/2s, so that the correction
+/// is ½ (2s)² d²x = s dx, half of the step; later corrections grow, because there is no equilibrium. The
+/// limit is half of this ratio.
 constexpr double kTurnOfFold = 0.25;
 /// Effects below this fraction of the largest effect on a figure may be rounding errors, and are ignored.
 constexpr double kNoEffect = 1e-6;
@@ -45,7 +45,7 @@ std::vector<results::NamedScalar> joined(std::initializer_list<std::vector<resul
 }
 
 /// The scenes at p − h and p + h, or the reason why there are none. If p is at an end of its range, the scene
-/// at p replaces the one outside the range.
+/// at p is used instead of the scene outside the range.
 struct Neighbours {
   std::shared_ptr<runs::PreparedScene> below = nullptr, above = nullptr;
   double distance = 0;  // difference of the number between both
@@ -112,8 +112,8 @@ class Sensitivity {
     return numbers ? joined({numbers->scalars, numbers->figures, numbers->reactions}) : Figures{};
   }
 
-  /// Finds which members and nodes the typical change of a number switches. Refuses the number if its typical
-  /// change reaches a fold.
+  /// Finds the members and nodes that switch within the typical change of a number. Refuses the number if its
+  /// typical change reaches a fold.
   void find_reach(const Neighbours& near, const std::vector<double>& change, NumberEffect& effect) {
     const double typical = typical_change(effect.number);
     if (!(typical > 0)) return;
@@ -132,8 +132,8 @@ class Sensitivity {
   }
 
   /// Whether the equilibrium exists in a changed scene, at the expected positions y. It does not if the
-  /// solver fails from there or ends at a noticeable distance, as Branch detects a fold. True if the scene
-  /// with these changes is not valid.
+  /// solver fails from there or ends noticeably far away, by the rule with which Branch detects a fold. True
+  /// if the scene with these changes is not valid.
   bool goes_on(const std::vector<formats::Change>& changes, const std::vector<double>& y) {
     std::string why_not;
     const auto beyond = open(changes, why_not);
@@ -166,8 +166,8 @@ class Sensitivity {
         effect.fold_at, unit, number.deviation > 0 ? "a standard deviation" : "one percent");
   }
 
-  /// The numbers of a scene at moved(change, times). Uses all digits of the change, which the difference of
-  /// tensions in stiff ropes needs.
+  /// The numbers of a scene at moved(change, times). Uses all digits of the change, because differences of
+  /// tensions in stiff ropes need them.
   Figures numbers_beside(runs::PreparedScene& scene, const std::vector<double>& change, double times) const {
     runs::ExactPlace place = runs::moved({x_, x_low_}, change, times);
     Solution there;
@@ -209,7 +209,7 @@ class Sensitivity {
                                             std::string& why_not) const {
     runs::CaseSource source = scene_.source();
     formats::append(source.changes, changes);
-    source.threads = 1;  // starting threads takes longer than they save in one evaluation
+    source.threads = 1;  // starting threads takes longer than they would save in one evaluation
     auto near =
         std::make_shared<runs::PreparedScene>(std::move(source), scene_.registry(), scene_.factorisations());
     if (near->prepare_like(scene_) != runs::PreparedScene::State::ready)
@@ -230,7 +230,7 @@ class Sensitivity {
   runs::Tangent tangent_;
   const SensitivityRequest& request_;
   double extent_;      // size of the gear at its start [m]
-  Switches switches_;  // at the equilibrium; none without `with_reach`
+  Switches switches_;  // switches at the equilibrium; empty without `with_reach`
 };
 
 /// The name of a figure of a study, such as "gear/mouth/headline_height", in the result of a run.
@@ -272,7 +272,7 @@ Sensitivities find_sensitivities(runs::PreparedScene& scene, const Solution& sol
       found.effects.push_back(at.effect_of(number));
       if (request.on_number) request.on_number(found.effects.size(), number.path);
     }
-  } catch (const formats::Interrupted&) {  // while a scene was being read, or between two numbers
+  } catch (const formats::Interrupted&) {  // interrupted while a scene was being read, or between two numbers
     found.is_interrupted = true;
   }
   return found;

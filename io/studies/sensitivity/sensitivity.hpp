@@ -17,20 +17,21 @@ namespace netloft::studies {
 /// The derivatives of all figures with respect to one number p of a scene, at an equilibrium.
 struct NumberEffect {
   SceneNumber number;
-  std::string why_not;               // why there are no derivatives; empty if there are
+  std::string why_not;               // why there are no derivatives; empty if there are some
   std::vector<double> per_unit;      // dg/dp in the units of figure and number; NaN: not defined
-  std::vector<double> by_long_step;  // dg/dp by a step that is longer by kLongStep; empty: not requested
-  // The value of the number at which a fold is expected; NaN: none within its typical change.
+  std::vector<double> by_long_step;  // dg/dp by a step that is kLongStep times as long; empty: not requested
+  // The value of the number at which a fold is expected; NaN if there is none within its typical change.
   double fold_at = results::NamedScalar::kUnknown;
-  SwitchChanges switches = {};      // what its typical change makes taut, slack, or touch or leave the ground
+  SwitchChanges switches = {};      // what becomes taut or slack, or touches or leaves the ground, within its
+                                    // typical change
   std::vector<double> motion = {};  // dx/dp of (1) over all degrees of freedom; empty: not requested
 };
 
 struct Sensitivities {
   std::vector<results::NamedScalar> figures;  // [results] of the scene, figures of the gear, forces of holds
   std::vector<NumberEffect> effects;
-  SwitchSides sides = {};       // what is slack and what touches the ground, in all derivatives
-  bool is_interrupted = false;  // the effects of further numbers are missing
+  SwitchSides sides = {};       // what is slack and what touches the ground at the equilibrium
+  bool is_interrupted = false;  // whether effects of further numbers are missing after an interruption
 };
 
 /// The derivative of a figure depends on the step if its values by both steps differ by more than this
@@ -41,16 +42,17 @@ inline constexpr double kSameDerivative = 0.01;
 struct SensitivityRequest {
   std::vector<results::NamedScalar> figures;  // all_figures() of the equilibrium
   std::vector<SceneNumber> numbers;
-  bool with_long_step = false;  // find each derivative with a second, longer step
+  bool with_long_step = false;  // compute each derivative also with a second, longer step
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(std::size_t done, const std::string& path)> on_number = {};
-  bool with_reach = false;   // find what ends the validity of each derivative: switches and folds
+  bool with_reach = false;   // find switches and folds, which end the validity of each derivative
   bool with_motion = false;  // keep dx/dp
 };
 
-/// Why a scene has no derivatives: it is a motion, or finds a length by itself. nullopt if it can have some.
+/// Why a scene cannot have derivatives: it is a motion, or it leaves a length to the search. nullopt if it
+/// can.
 std::optional<std::string> why_no_derivatives(const scenes::LoadedScene& loaded);
-/// Why the end of a solve allows no derivatives: it did not converge. nullopt if it did.
+/// Why a solution cannot have derivatives: the solve did not converge. nullopt if it did.
 std::optional<std::string> why_no_derivatives(const Solution& solution);
 
 /// The derivatives of all figures g(x, p) at the equilibrium x of a scene, where the residual r(x, p) is
@@ -60,19 +62,19 @@ std::optional<std::string> why_no_derivatives(const Solution& solution);
 /// at p ± h with the same mesh topology, which gives ∂r/∂p and dx/dp (runs::Tangent), and then, to second
 /// order in h,
 ///   dg/dp = [g(x + h dx/dp, p + h) − g(x − h dx/dp, p − h)] / 2h                           (2)
-/// in which no equilibrium is sought. h is a millionth of the number, or of its unit if the number is zero.
-/// At an end of the range of the number, p itself takes the place of the value beyond it. The long step is a
-/// thousandth; there, x ± h dx/dp is corrected by one step with K. Numbers of a net plan, its counts of
-/// meshes included, move the nodes of the mesh and keep its triangles (PreparedScene::prepare_like()). A
-/// number has no derivatives if the scene is valid on neither side, or has other unknowns there.
+/// without a search for another equilibrium. h is a millionth of the number, or of its unit if the number is
+/// zero. If the number is at an end of its range, p itself replaces the value beyond the end. The long step
+/// is a thousandth; with it, x ± h dx/dp is corrected by one step with K. Numbers of a net plan, its counts
+/// of meshes included, move the nodes of the mesh and keep its triangles (PreparedScene::prepare_like()). A
+/// number has no derivatives if the scene is not valid on either side, or has other unknowns there.
 ///
 /// The derivatives hold while no member becomes taut or slack, and no node touches or leaves the ground.
-/// A member or node that is about to do so has another derivative with the long step. With the reach of
-/// derivatives, switch_changes() finds what the typical change of a number would switch, to first order. A
-/// number has no derivatives if its typical change reaches a fold: if runs::Tangent::growth() foresees a fold
-/// so near, and if at twice this distance the solver finds no equilibrium where (1) expects it, by the rules
-/// of Branch. Without the second condition, slack netting would count, which moves so far that its stiffness
-/// is soon another one.
+/// If a member or node is about to do so, the derivative with the long step is different. With the reach of
+/// derivatives, switch_changes() finds the members and nodes that would switch within the typical change of a
+/// number, to first order. A number has no derivatives if its typical change reaches a fold: if
+/// runs::Tangent::growth() foresees a fold so near, and if at twice this distance the solver finds no
+/// equilibrium where (1) expects it, by the rules of Branch. Without the second condition, slack netting
+/// would count, because it moves so far that its stiffness soon changes.
 Sensitivities find_sensitivities(runs::PreparedScene& scene, const Solution& solution,
                                  const SensitivityRequest& request);
 
@@ -90,15 +92,15 @@ FigureSlopes slopes_of(runs::PreparedScene& scene, const Solution& solution,
 /// The [results] of a scene, the figures of its gear, and the forces of its holds.
 std::vector<results::NamedScalar> all_figures(const results::Result& result);
 
-/// The positions in all_figures() of those that `names` name: each is a name, or a group such as "mouth". The
-/// key figures of the result if there are no names. Throws std::invalid_argument with a sentence if a name is
-/// unknown.
+/// The positions in all_figures() of the figures in `names`; each name is that of a figure or of a group such
+/// as "mouth". If there are no names, the key figures of the result are chosen. Throws std::invalid_argument
+/// with a sentence if a name is unknown.
 std::vector<std::size_t> chosen_figures(const results::Result& result, const std::vector<std::string>& names);
 
-/// Change of figure `f` when the number increases by one percent of its size.
+/// Change of figure `f` if the number increases by one percent.
 double effect_of_percent(const NumberEffect& effect, std::size_t f);
 
-/// The standard deviation of a number or, if that is not known, one percent of its size.
+/// The standard deviation of a number or, if that is not known, one percent of the number.
 double typical_change(const SceneNumber& number);
 
 /// Change of figure `f` when the number increases by its typical change.
@@ -108,8 +110,8 @@ double typical_effect(const NumberEffect& effect, std::size_t f);
 /// left out.
 std::vector<const NumberEffect*> ranked_effects(const Sensitivities& found, std::size_t f);
 
-/// The standard deviation of figure `f` due to those of the numbers, if these are independent, to first
-/// order:
+/// The standard deviation of figure `f` that follows from those of the numbers, if the numbers are
+/// independent, to first order:
 ///   σ_f² = Σ (∂f/∂p σ_p)²                                                                   (3)
 /// 0 if no number has a deviation.
 double propagated_deviation(const Sensitivities& found, std::size_t f);
@@ -121,7 +123,7 @@ bool depends_on_step(const Sensitivities& found, const NumberEffect& effect, std
 /// no derivatives, with the reasons.
 std::string sensitivity_text(const Sensitivities& found, const std::vector<std::size_t>& figures);
 
-/// The largest effects on each of the chosen figures as bars: the change of the figure in percent when the
+/// The largest effects on each of the chosen figures as bars: the change of the figure in percent if the
 /// number grows by one percent. Figures that are zero are left out.
 formats::BarChart sensitivity_bars(const Sensitivities& found, const std::vector<std::size_t>& figures);
 

@@ -16,8 +16,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using results::text_with_unit, results::unit_of_ratio;
 
-// Rows of the table of one figure: numbers with the largest effects. Paths of numbers that are listed for
-// each reason why they have no derivatives.
+// kRows: number of rows in the table of a figure. kPaths: number of paths that are listed for each reason why
+// numbers have no derivatives.
 constexpr std::size_t kRows = 8, kPaths = 3;
 
 bool has_deviations(const Sensitivities& found) {
@@ -70,8 +70,8 @@ std::size_t sum_of(const std::map<std::string, std::size_t>& by_part) {
   return sum;
 }
 
-/// Describes which of `all` switch: their number, and the parts that have most of them: "nodes: 8, 1.2 %
-/// (headrope 5, footrope 3)".
+/// Describes how many of `all` switch, and in which parts most of them are: "nodes: 8, 1.2 % (headrope 5,
+/// footrope 3)".
 std::string text_of(const std::map<std::string, std::size_t>& by_part, std::size_t all,
                     const std::string& what) {
   std::vector<std::pair<std::string, std::size_t>> parts(by_part.begin(), by_part.end());
@@ -102,7 +102,7 @@ std::string row_of_switches(const NumberEffect& effect, const SwitchSides& sides
   return fmt::format("  {:<44} {:>18}   {}\n", effect.number.path, value_of(effect.number), text);
 }
 
-/// Lists which members are slack and which nodes touch the ground in all derivatives, and the numbers that
+/// Lists which members are slack and which nodes touch the ground at the equilibrium, and the numbers that
 /// switch most of them.
 std::string reach_text(const Sensitivities& found) {
   const std::string sides = sides_text(found.sides);

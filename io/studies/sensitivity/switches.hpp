@@ -19,7 +19,7 @@ struct Switches {
     std::vector<std::uint32_t> part;  // the scene part of each
   };
   OfKind members;  // l/l₀ − 1 of bars and twines: taut above 0, slack below
-  OfKind nodes;    // height of nodes over the ground [m]: they touch it below 0
+  OfKind nodes;    // height of nodes over the ground [m]: nodes touch it below 0
 };
 
 /// The switches of a scene at positions x over all dofs. Members are those that elements declare
@@ -30,11 +30,11 @@ Switches switches_at(const Scene& scene, Assembler& assembler, std::span<const d
 /// For a scene, which members are slack and which nodes touch the ground.
 struct SwitchSides {
   std::size_t members = 0, slack = 0;   // all members, and those that are slack
-  std::size_t nodes = 0, touching = 0;  // all nodes that may touch the ground, and those that touch it
+  std::size_t nodes = 0, touching = 0;  // all nodes that can touch the ground, and those that touch it
 };
 SwitchSides sides_of(const Switches& at);
 
-/// The number of switches that change sides, by parts of the scene.
+/// The number of switches that change sides, by part of the scene.
 struct SwitchChanges {
   std::map<std::string, std::size_t> members, nodes;
   bool any() const { return !members.empty() || !nodes.empty(); }
@@ -42,7 +42,7 @@ struct SwitchChanges {
 
 /// The switches that change sides, to first order, when a number changes by ± `change`. `above` and `below`
 /// are those of the equilibria at two values of the number that are `distance` apart. A distance d changes
-/// its sign on one of both ways if
+/// its sign in one of both directions if
 ///   |dd/dp| change ≥ |d|,   dd/dp ≠ 0                                                    (1)
 /// No changes if the scenes have different switches.
 SwitchChanges switch_changes(const Scene& scene, const Switches& at, const Switches& above,

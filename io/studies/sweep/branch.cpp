@@ -15,7 +15,7 @@ namespace {
 using Values = std::vector<VariableValue>;
 
 // A change is a jump if more than this fraction of it remains after all halvings of the step. On a smooth
-// path 2^-5 of the change remains, at a jump all of it.
+// path, 2^-5 of the change remains; at a jump, all of it.
 constexpr double kLeftOfAJump = 0.25;
 // An equilibrium is on another branch if its distance exceeds the extrapolated change by this factor.
 constexpr double kElsewhere = 4;

@@ -19,7 +19,7 @@ struct StudyPoint {
 /// are independent of one another.
 struct StudyItem {
   std::size_t id = 0;                 // number of the item, from 1
-  std::size_t sample = 0;             // number of the sample, from 1; 0: nothing is sampled
+  std::size_t sample = 0;             // number of the sample, from 1; 0 if nothing is sampled
   std::vector<std::string> set;       // overrides for all its points
   std::vector<VariableValue> values;  // values of the variables outside the path
   std::vector<StudyPoint> points;
@@ -39,7 +39,7 @@ struct Study {
   std::vector<std::string> set;      // overrides for all points
   std::vector<std::string> figures;  // figures to record; empty: all
   std::vector<StudyColumn> columns;  // variables in the path come last
-  std::string sampling;              // how the samples were made; empty: nothing is sampled
+  std::string sampling;              // how the samples were made; empty if nothing is sampled
   std::uint64_t seed = 0;
   std::vector<std::pair<std::string, std::string>> files;  // path and hash of all files of the scenes
   std::vector<StudyItem> items;
@@ -58,7 +58,7 @@ double count_points(const StudyFile& file);
 /// Makes the items and points of a study by combining the values of the variables of its file. There is one
 /// item for each sample and each combination of listed values outside the path, in the order of the file,
 /// samples changing fastest. The points of an item are the combinations of values in the path. From one point
-/// to the next only one variable changes, to a neighbouring value. `files` are the files of the scene.
+/// to the next, only one variable changes, to a neighbouring value. `files` are the files of the scene.
 Study make_study(const StudyFile& file, const std::string& scene,
                  std::vector<std::pair<std::string, std::string>> files);
 

@@ -10,8 +10,8 @@
 
 namespace netloft::studies {
 
-/// How listed values of several variables are combined: each with each, or the first with the first and so
-/// on.
+/// How listed values of several variables are combined: all combinations (grid), or the first values, the
+/// second values and so on (list).
 enum class Combination { grid, list };
 
 struct DesignVariable {

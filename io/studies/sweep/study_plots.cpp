@@ -73,8 +73,8 @@ class Plotter {
     return values;
   }
 
-  /// The column of the variable with one line per value; the number of columns if there is no other listed
-  /// variable.
+  /// The column of the variable whose values are distinguished by lines; the number of columns if there is no
+  /// such variable.
   std::size_t choose_lines(const std::string& wanted) const {
     const std::size_t none = table_.columns.size();
     if (!wanted.empty()) {

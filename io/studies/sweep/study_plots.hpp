@@ -15,15 +15,15 @@ struct PlotRequest {
   std::map<std::string, std::string> at;  // held values of other listed variables, as the table has them
 };
 
-/// The ends of bands over samples, as quantiles: nine tenths of the samples lie between them.
+/// The ends of bands over samples, as quantiles; nine tenths of the samples lie between them.
 inline constexpr double kBandLow = 0.05, kBandHigh = 0.95;
 
-/// Makes one plot for each figure, a number that every point reports. A listed variable has given values, and
-/// a sampled one is drawn at random. If the axis is listed, lines are medians over the samples and bands
-/// contain nine tenths of them; if it is sampled, every row is a marker. Listed variables that are neither on
-/// the axis nor distinguished by lines are held at one value, which the title names. Points without a stable
-/// equilibrium are left out; if some of the samples have none, the marker is hollow. Throws StudyError with a
-/// sentence if a name is wrong or there is nothing to draw.
+/// Makes one plot for each figure (a number that every point reports). A listed variable has given values; a
+/// sampled variable has random values. If the variable on the axis is listed, lines are medians over the
+/// samples and bands contain nine tenths of them. If it is sampled, every row is a marker. Listed variables
+/// that are neither on the axis nor distinguished by lines are held at one value, which the title names.
+/// Points without a stable equilibrium are left out; if some of the samples have none, the marker is hollow.
+/// Throws StudyError with a sentence if a name is wrong or there is nothing to draw.
 std::vector<formats::LinePlot> plots_of(const StudyTable& table, const PlotRequest& request);
 
 }  // namespace netloft::studies

@@ -10,8 +10,8 @@ struct StudyRow {
   // Numbers of the item, of its sample and of the point, from 1; sample 0: nothing was sampled.
   std::size_t item = 0, sample = 0, point = 0;
   std::vector<VariableValue> values;  // values of the variables, by column
-  PointRecord record;                 // record of the point; of a missing item, one with the status "missing"
-  std::vector<double> figures;        // value of each figure of the table; NaN: the point does not have it
+  PointRecord record;                 // record of the point; its status is "missing" if the item is missing
+  std::vector<double> figures;        // value of each figure of the table; NaN if the point does not have it
 };
 
 /// All points of a study with their results, in the order of the manifest.
@@ -19,15 +19,15 @@ struct StudyTable {
   std::vector<StudyColumn> columns;
   std::vector<StudyFigure> figures;  // names and units of the figures; `value` is not used
   std::vector<StudyRow> rows;
-  // About items that are missing, damaged, or of several versions, and about points that are locally
-  // unstable.
+  // Sentences about items that are missing, damaged, or from several versions, and about points that are
+  // locally unstable.
   std::vector<std::string> sentences;
   std::size_t missing_items = 0;
   std::map<std::string, std::size_t> count_by_status() const;
 };
 
-/// Reads the records of all items in the folder of a study. The points of an item whose record is missing or
-/// damaged become rows that say so in their status.
+/// Reads the records of all items in the folder of a study. If the record of an item is missing or damaged,
+/// its points become rows whose status says so.
 StudyTable collect_table(const Study& study, const std::filesystem::path& folder);
 
 /// The table as comma-separated values, a row for every point.

@@ -31,7 +31,7 @@ struct Interval {
 /// becomes a column of tables, a path in result files, and an option such as --at NAME=VALUE.
 bool is_variable_name(const std::string& text);
 
-/// The number of a value such as "2.5 kn" in a unit; nullopt if it is no number of its dimension.
+/// The number of a value such as "2.5 kn" in a unit; nullopt if it is not a number of this dimension.
 std::optional<double> number_in_unit(const std::string& text, const std::string& unit);
 
 /// An input of a scene, or several inputs that change together, with its listed values or its interval.
@@ -39,8 +39,8 @@ struct Variable {
   std::string name;      // name in tables, plots and messages
   formats::Place place;  // place of the variable's table in the file
   std::vector<FollowingKey> keys;
-  std::string unit;                   // unit of its numbers as written, such as "kn"; empty: no unit
-  std::vector<VariableValue> values;  // listed values in the order of the file; empty: there is an interval
+  std::string unit;                   // unit of its numbers as written, such as "kn"; empty if they have none
+  std::vector<VariableValue> values;  // listed values in the order of the file; empty if there is an interval
   std::optional<Interval> interval;
 
   /// Whether numbers between its values are valid: it has an interval, or all listed values are numbers.

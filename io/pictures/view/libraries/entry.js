@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All that the viewer uses of its libraries; what is not named here is left out of the bundle.
+// Everything that the viewer uses of its libraries. Names that are not listed here are left out of the
+// bundle.
 export {
   BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, GLSL3, Group, Mesh, OrthographicCamera, RawShaderMaterial, Scene, Vector2, Vector3, Vector4, WebGLRenderer,
 } from 'three';

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A parallel projection that turns about a point: lengths across the line of sight are to scale everywhere.
+// A parallel projection that turns about a point. Lengths across the line of sight have the same scale
+// everywhere.
 
 const dot3 = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The three kinds of cells of a result: netting, bars of ropes, and what sits on single nodes.
+// The three kinds of cells of a result: netting, bars of ropes, and elements on single nodes.
 
 const CELLS = [
   {kind: 'netting', of: 3, nodes: 'tri', cells: 'triCell', parts: 'triPart', words: 'netting'},

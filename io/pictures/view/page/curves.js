@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves: quantities over the frames, and the residual over the steps of the solve. A click goes to that frame.
+// Curves: quantities over the frames, and the residual over the steps of the solve. A click shows the frame
+// at that place.
 
 /** {name, unit, x, y, over, log, goesTo}: what can be drawn; `goesTo`: points are frames. */
 function curveChoices(results, isSweep) {
@@ -24,7 +25,8 @@ class Curves {
     $('curve-box').hidden = this.choices.length === 0;
     if (!this.choices.length) return;
     const keys = [...document.querySelectorAll('#keys [data-figure]')].map((box) => box.dataset.figure);
-    const rank = (name) => (keys.indexOf(name.replace(/^gear\//, '')) + keys.length + 1) % (keys.length + 1);  // those on top of the page first
+    // the key figures at the top of the page come first
+    const rank = (name) => (keys.indexOf(name.replace(/^gear\//, '')) + keys.length + 1) % (keys.length + 1);
     const inOrder = this.choices.map((c, i) => ({i, key: rank(c.name)})).sort((a, b) => a.key - b.key);
     $('quantity').replaceChildren(...inOrder.map(({i}) => element('option', {value: String(i)}, words(this.choices[i].name.replace(/^gear\//, '')))));
     $('quantity').addEventListener('change', () => this.draw());
@@ -43,7 +45,7 @@ class Curves {
   options(choice, box) {
     const ink = styleColour('--ink'), grid = {stroke: styleColour('--line'), width: 1}, ticks = {stroke: styleColour('--line'), width: 1, size: 4};
     const isPower = (v) => v > 0 && Math.abs(Math.log10(v) - Math.round(Math.log10(v))) < 1e-9;
-    // A logarithmic axis has powers of ten alone, and not all of them if there are many.
+    // A logarithmic axis has labels at powers of ten only, and not at all of them if there are many.
     const everyDecade = Math.max(1, Math.ceil(Math.log10(Math.max(...choice.y) / Math.min(...choice.y.filter((v) => v > 0))) / 5));
     const powers = (_, values) => values.map((v) => (isPower(v) && Math.round(Math.log10(v)) % everyDecade === 0 ? v : null));
     const axis = {stroke: ink, grid, ticks, font: '11px system-ui, sans-serif', labelFont: '12px system-ui, sans-serif'};

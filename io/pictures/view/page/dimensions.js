@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Dimension lines over the picture: which there are, the result says.
+// Dimension lines over the picture, from the list of dimensions in the result.
 
-const LEAST_DIMENSION = 24;  // pixels: shorter ones are seen from their end
-const PLACES_OF_WORDS = [0.5, 0.22, 0.62, 0.78, 0.35, 0.9, 0.1];  // along a line, the first that is free
+const LEAST_DIMENSION = 24;  // pixels: a shorter line is nearly parallel to the line of sight
+// places of a label along its line; the first free place is used
+const PLACES_OF_WORDS = [0.5, 0.22, 0.62, 0.78, 0.35, 0.9, 0.1];
 
 /** A line with an arrow at either end, its words where they hide none of those in the boxes `taken`. */
 function drawDimension(svg, a, b, words, taken, width) {
@@ -40,7 +41,8 @@ function drawDimensions(svg, model, camera) {
   for (const {name, from, to} of model.result.dimensions) {
     const a = dimensionEnd(model, from), b = dimensionEnd(model, to, a);
     const [p, q] = [a, b].map((end) => camera.project(end));
-    if (![p, q].every(([x, y]) => x >= 0 && x <= camera.width && y >= 0 && y <= camera.height)) continue;  // its end would not be seen
+    // an end of the line would be outside the picture
+    if (![p, q].every(([x, y]) => x >= 0 && x <= camera.width && y >= 0 && y <= camera.height)) continue;
     drawDimension(svg, p, q, `${name} ${formatNumber(Math.hypot(...a.map((v, d) => v - b[d])), 3)} m`, taken, camera.width);
   }
 }
@@ -50,7 +52,7 @@ function drawHolds(svg, model, camera, longest) {
   const {reaction} = model.state, {nPoints, half} = model.result;
   if (!reaction) return;
   const force = (n) => [reaction[3 * n], reaction[3 * n + 1], reaction[3 * n + 2]], size = (n) => Math.hypot(...force(n));
-  // Reactions of the plane of symmetry are not holds of the gear.
+  // Nodes that only the plane of symmetry holds do not count as held.
   const held = Array.from({length: nPoints}, (_, n) => n).filter((n) => (half ? Math.hypot(force(n)[0], force(n)[2]) : size(n)) > 0);
   const most = Math.max(...held.map(size));
   for (const n of held.filter((one) => size(one) > most / 50))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Elements of the page. What a result says goes in as text, never as markup.
+// Elements of the page. Texts of a result are inserted as text, never as markup.
 
 const SVG = 'http://www.w3.org/2000/svg';
 const $ = (id) => document.getElementById(id);

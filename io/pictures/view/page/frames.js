@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The slider: times of a motion, stages of a solve, or the results of a sweep; and the figures that go with it.
+// The slider over the times of a motion, the stages of a solve, or the results of a sweep, and the figures
+// that it changes.
 
 class Frames {
   constructor(viewer, results) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Arrays as the renderer takes them.
+// Arrays in the form that the renderer needs.
 
 const L = Libraries;
-const NONE = -1e38;  // "no value" for the graphics card, which may not know NaN
+const NONE = -1e38;  // means "no value" for the graphics card, which may not support NaN
 
 function setAttributes(geometry, attributes) {
   for (const [name, [array, size]] of Object.entries(attributes)) geometry.setAttribute(name, new L.BufferAttribute(array, size));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The legend of colours, a bar for each kind of cells that has the field, and the scale of lengths.
+// The legend of colours, with a bar for each kind of cells that has the field, and the scale of lengths.
 
 const BAR = 230;  // pixels
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One result as meshes of the renderer: netting (surface and twines), bars, single nodes, the catch, solids; a half twice, mirrored.
+// One result as meshes of the renderer: netting (surface and twines), bars, single nodes, the catch, solids;
+// half a gear is shown twice, once mirrored.
 
 const ALONG = [0, -1, 1, -1, 0, 1, 1, 1], AROUND = [-1, -1, 1, -1, -1, 1, 1, 1];  // corners of a ribbon, of a disc
 
@@ -17,7 +18,7 @@ class GearModel {
     this.makeBalls();
     if (result.catch) this.makeCatch();
     this.solids = new Solids(this);
-    // Contact with a bed is hidden unless it is selected.
+    // Elements of contact with the bed are hidden unless they are selected.
     result.parts.forEach((p, i) => { if (p.contact) this.show(i, false); });
   }
 
@@ -63,7 +64,7 @@ class GearModel {
     }
     setAttributes(this.netting, {position: [new Float32Array(9 * n), 3], twines: [twines, 2], part: [part, 1],
       halfWidth: [radius, 1], value: [new Float32Array(3 * n).fill(NONE), 1], partColour: [colour, 3]});
-    // Twines have soft edges: the samples of a pixel are covered as far as the twine covers it.
+    // Twines have soft edges: as many samples of a pixel are covered as the twine covers of the pixel.
     this.add(this.netting, this.material('netting', NETTING_VERTEX, NETTING_FRAGMENT, {hasLines: {value: true}}, {alphaToCoverage: true}), 1);
     this.add(this.netting, this.material('netting', NETTING_VERTEX, NETTING_FRAGMENT, {hasLines: {value: false}}, {transparent: true, depthWrite: false}), 3);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers, units and names for people.
+// Numbers, units and names in the form in which people read them.
 
 /** Four digits, without an exponent where it stays readable. */
 function formatNumber(value, digits = 4) {

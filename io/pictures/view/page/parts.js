@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The list of parts: each can be hidden, or shown alone.
+// The list of parts. Each part can be hidden, or shown alone.
 
 class PartList {
   constructor(viewer, list) {

@@ -17,8 +17,9 @@ function nearSegment(p, a, b) {
   return [Math.hypot(p[0] - a[0] - s * dx, p[1] - a[1] - s * dy), s];
 }
 
-const REACH = 7;    // pixels within which a rope or a float is hit
-const AHEAD = 0.3;  // metres: ropes and floats are drawn wider than they are, and win over netting not far ahead of them
+const REACH = 7;    // distance from the pointer within which a rope or a float is found [pixels]
+const AHEAD = 0.3;  // metres: ropes and floats are drawn larger than they are, and are selected even if
+                    // netting is this far ahead of them
 
 /** Where elements of each kind are hit by a point p of the screen; `at` has the nodes there: weights and depth, or null. */
 const HITS = {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same place in two results of one gear, also where they are divided differently.
+// The same place in two results of one gear, even if their meshes differ.
 
 /** Triangles of netting by part, in a grid over the plan, and nodes by part and number. */
 class Places {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plan drawing: every panel as it lies in repose, coloured like the shape beside it. A click there selects here.
+// The plan drawing: every panel without tension, in the colours of the shape beside it. A click in the plan
+// also selects the element in the shape.
 
 /** Panels without a place on a plan lie in a row, to the scale of half their stretched width, as plans are drawn. */
 function placeOnSheet(result) {
@@ -93,7 +94,8 @@ class PlanDrawing {
     const box = this.canvas.getBoundingClientRect();
     const lo = [Infinity, Infinity], hi = [-Infinity, -Infinity];
     this.corners.forEach((v, i) => { if (Number.isFinite(v)) { lo[i % 2] = Math.min(lo[i % 2], v); hi[i % 2] = Math.max(hi[i % 2], v); } });
-    // Plans are long and narrow: lying down they fill the box. The fore end is to the left, as in the view from the side.
+    // A long, narrow plan is turned by a right angle, so that it fills the box. The fore end is then to the
+    // left, as in the view from the side.
     this.lies = hi[1] - lo[1] > hi[0] - lo[0];
     const [wide, high] = this.lies ? [1, 0] : [0, 1];
     const scale = 0.94 * Math.min(box.width / Math.max(hi[wide] - lo[wide], 1e-6), box.height / Math.max(hi[high] - lo[high], 1e-6));
@@ -147,7 +149,8 @@ class PlanDrawing {
     g.lineWidth = 3;
     for (const {name, x, y, lo, hi} of this.names) {
       const [px, py] = this.place([x, y]), [a, b] = [this.place(lo), this.place(hi)];
-      if (g.measureText(name).width > Math.abs(a[0] - b[0])) continue;  // the list of parts and a click tell it
+      // a name that does not fit is shown in the list of parts, or after a click
+      if (g.measureText(name).width > Math.abs(a[0] - b[0])) continue;
       g.strokeStyle = styleColour('--paper');
       g.strokeText(name, px, py + 4);
       g.fillStyle = ink;

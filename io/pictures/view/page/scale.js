@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From values to places on the colour map, and the colours there. The colours are handed over with the data: the pictures
-// of `netloft draw` have the same.
+// Maps values to places on the colour map, and to the colours there. The colours come with the data and are
+// those of the pictures of `netloft draw`.
 
 class Scale {
   /** `ends`: {lo, hi, below, above}; `below`, `above`: there are values beyond. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The selection: its description, its marks, and the distance from the selection before it.
+// The selection: its description, its marks, and its distance from the previous selection.
 
 /** The place of a hit, from the origin of its result [m]. */
 function placeOfHit(model, hit) {

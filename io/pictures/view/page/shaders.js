@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Programs of the graphics card. Positions are in metres from the origin of the result.
+// Programs for the graphics card. Positions are in metres from the origin of the result.
 
 const COMMON_VERTEX = `
 precision highp float;
@@ -33,8 +33,8 @@ vec3 colourOf(float value, vec3 partColour) {
 void cut(vec3 world) { if (dot(world, section.xyz) > section.w) discard; }
 `;
 
-// Netting. Twines are the lines on which a twine coordinate is an integer. Where they would lie closer than kCloseness
-// pixels, only every second, fourth, … is drawn, and those of the level that is about to go fade.
+// Netting. Twines are the lines on which a twine coordinate is an integer. If they are closer than kCloseness
+// pixels, only every second, fourth … twine is drawn; those that are about to be omitted fade out.
 const NETTING_VERTEX = COMMON_VERTEX + `
 in vec3 position;
 in vec2 twines;
@@ -79,7 +79,7 @@ void main() {
   }
 }`;
 
-// Bars as ribbons that face the eye, as wide as they are, and never narrower than some pixels.
+// Bars, drawn as ribbons that face the eye, with their true width but at least a few pixels wide.
 const ROPE_VERTEX = COMMON_VERTEX + `
 in vec2 corner;
 in vec3 from, to;
@@ -108,7 +108,7 @@ void main() {
   result = vec4(colourOf(shownValue, colourOfPart) * (0.55 + 0.45 * sqrt(max(0.0, 1.0 - across * across))), 1.0);
 }`;
 
-// Floats and what else sits on single nodes: spheres.
+// Floats and other elements on single nodes, drawn as spheres.
 const BALL_VERTEX = COMMON_VERTEX + `
 in vec2 corner;
 in vec3 centre;
@@ -137,7 +137,7 @@ void main() {
   result = vec4(colourOf(shownValue, colourOfPart) * (0.45 + 0.55 * sqrt(1.0 - r)), 1.0);
 }`;
 
-// Plates of rigid bodies: as netting, but solid.
+// Plates of rigid bodies: drawn like netting, but solid.
 const PLATE_VERTEX = COMMON_VERTEX + `
 in vec3 position;
 in float value;
@@ -165,7 +165,7 @@ const SOLID_VERTEX = `
 precision highp float;
 uniform mat4 modelMatrix, viewMatrix, projectionMatrix;
 in vec3 position, plane;
-out vec3 world, facing;  // facing: the normal of what is lit as a plane, else nothing
+out vec3 world, facing;  // facing: the normal of parts that are lit like a plane; zero for others
 void main() {
   vec4 w = modelMatrix * vec4(position, 1.0);
   world = w.xyz; facing = plane;
@@ -184,7 +184,7 @@ void main() {
   result = vec4(colour * (0.62 + 0.38 * abs(dot(normal, eye))), 1.0);
 }`;
 
-// The bed and the surface: a plane with a grid of whole metres.
+// The bed and the water surface, with a grid of whole metres.
 const GROUND_VERTEX = `
 precision highp float;
 uniform mat4 modelMatrix, viewMatrix, projectionMatrix;

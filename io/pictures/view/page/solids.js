@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Boards and other rigid bodies as plates, each the shape of a single node; and a sign for the ship, which is no part of the gear.
+// Boards and other rigid bodies, drawn as plates in place of their node, and a symbol for the ship, which is
+// not a part of the gear.
 
 class Solids {
   constructor(model) {

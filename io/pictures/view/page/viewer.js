@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture, and what it shows of the results: a frame, a field, a selection.
+// The picture with its state: the frame, the field and the selection that it shows.
 
-const MARGIN = {left: 40, right: 40, top: 40, bottom: 50}, GAP = 10;  // pixels around the gear; between it and the legend
+// pixels around the gear; distance between the gear and the legend
+const MARGIN = {left: 40, right: 40, top: 40, bottom: 50}, GAP = 10;
 
 /** Numbers that the programs of the graphics card share. */
 function makeShared(colours) {
@@ -119,7 +120,8 @@ class Viewer {
     CELLS.forEach((c, i) => {
       const scale = this.scales[i], shared = this.shared.scales[c.kind];
       shared.isLog.value = Boolean(scale && scale.log);
-      // The range (1, 0) means the colours of parts; where a kind has no values all are unknown, and any range does.
+      // The range (1, 0) stands for the colours of parts. If a kind of cells has no values, its range does
+      // not matter.
       if (this.field.name === BY_PART) shared.range.value.set(1, 0);
       else shared.range.value.set(scale ? scale.lo : 0, scale ? scale.hi : 1);
     });
@@ -156,7 +158,7 @@ class Viewer {
   }
 
   resize() {
-    // The viewer is as high as the window lets it be below what is above it.
+    // The viewer has the height of the window, minus the height of everything above it.
     $('app').style.setProperty('--above', `${Math.round($('app').getBoundingClientRect().top + window.scrollY)}px`);
     const box = $('stage').getBoundingClientRect();
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));

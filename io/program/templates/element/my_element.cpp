@@ -7,7 +7,7 @@
 struct MyElement {
   static constexpr auto stencil = NETLOFT_BAR;  // an element with two nodes
 
-  struct Parameters {  // set by users, once per part of a gear
+  struct Parameters {  // set by users, once for every part of a gear
     double k = 0, c = 0;
   };
   struct Data {  // data of one element

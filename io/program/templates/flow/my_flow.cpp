@@ -23,7 +23,7 @@ struct MyFlow {
   }
   template <class T>
   static netloft::Vec3<T> weight(const Parameters&, const netloft::Vec3<T>& U, double /*reach*/, int) {
-    return U;  // of F in (2), which the host adds
+    return U;  // the weight of F in (2); the host adds F itself
   }
   struct Thrust {  // the rest of (2)
     template <class T>

@@ -22,7 +22,8 @@ struct MyStrategy {
            std::to_string(p.softest * search.stiffness()) + " N at first, then stiffer and stiffer\n";
   }
 
-  /// Returns the stage with full stiffness, or the first that failed. No work is left after an interruption.
+  /// Returns the stage with full stiffness, or the first stage that failed. After an interruption, no work is
+  /// left.
   static netloft::Stage soft_to_stiff(const Parameters& p, netloft::Search& search) {
     netloft::Stage stage{.u = search.start()};
     for (double cap = p.softest * search.stiffness(); search.work_left() > 0; cap *= p.factor) {  // (1)

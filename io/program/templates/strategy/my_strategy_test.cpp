@@ -41,7 +41,7 @@ int main() {
   s.answer = take_answer;
   netloft::Search search(s);
   MyStrategy::run(MyStrategy::Parameters{.softest = 1e-3, .factor = 10}, search);
-  const double by_hand = 0.01;  // 1 N over 100 N/m; solved at once, then at 0.1, 1, 10, 100 N/m
+  const double by_hand = 0.01;  // 1 N over 100 N/m; solved directly, then with 0.1, 1, 10 and 100 N/m
   std::printf("ends at %g m after %d stages; by hand %g m after 5\n", answer, stages, by_hand);
   return std::fabs(answer - by_hand) < 1e-12 && stages == 5 ? 0 : 1;
 }
