@@ -34,7 +34,7 @@ InteriorPoint::Ending InteriorPoint::solve(std::span<double> u, double load) {
   load_ = load;
   begin(u);
   while (evaluate(u)) {
-    if (has_converged()) return Ending::converged;
+    if (is_within(kSolved)) return Ending::converged;
     if (!members_.progress(largest_residual(), "interior point")) return Ending::called_off;
     if (!factorise()) return Ending::no_factor;
     const double a = find_step();
@@ -61,8 +61,8 @@ cone::Point InteriorPoint::z_of(std::size_t e) const {
   return {states_[e].z0, w_[e][0] / l0, w_[e][1] / l0, w_[e][2] / l0};
 }
 
-bool InteriorPoint::has_converged() const {
-  return mu_ <= kSolved * load_ && largest_residual() <= kSolved * load_;
+bool InteriorPoint::is_within(double fraction) const {
+  return mu_ <= fraction * load_ && largest_residual() <= fraction * load_;
 }
 
 /// Returns the μ that the point has reached: the mean of z·y over all members, weighted by their length.
@@ -116,14 +116,19 @@ bool InteriorPoint::factorise() {
   return members_.factorise_indefinite() == Factor::ok;
 }
 
-/// Computes the step by (5) of interior_point.hpp and returns its length (6).
+/// Computes the step by (5) of interior_point.hpp, or by (7) if that would be too short, and returns its
+/// length (6).
 double InteriorPoint::find_step() {
   predict();
   const double reached = at_most_whole(longest_step());
   const double sigma = (1 - reached) * (1 - reached) * (1 - reached);
-  correct(sigma * mu_);
-  return at_most_whole(p_.to_boundary * longest_step());
+  correct(sigma * mu_, SecondOrder::yes);
+  if (const double a = length_of_step(); !(a < p_.room())) return a;
+  correct(mu_, SecondOrder::no);
+  return length_of_step();
 }
+
+double InteriorPoint::length_of_step() const { return at_most_whole(p_.to_boundary * longest_step()); }
 
 void InteriorPoint::predict() {
   for (std::size_t e = 0; e < members_.size(); ++e)
@@ -131,12 +136,13 @@ void InteriorPoint::predict() {
   solve_for_step();
 }
 
-void InteriorPoint::correct(double mu) {
+void InteriorPoint::correct(double mu, SecondOrder second_order) {
   for (std::size_t e = 0; e < members_.size(); ++e) {
     const cone::Scaling& W = scaling_[e];
-    const cone::Point v = W.unscaled(states_[e].y), vv = cone::product(v, v),
-                      second = cone::product(W.scaled(states_[e].dz), W.unscaled(states_[e].dy));
-    cone::Point rest;
+    const cone::Point v = W.unscaled(states_[e].y), vv = cone::product(v, v);
+    cone::Point second{}, rest;
+    if (second_order == SecondOrder::yes)
+      second = cone::product(W.scaled(states_[e].dz), W.unscaled(states_[e].dy));
     for (std::size_t i = 0; i < 4; ++i) rest[i] = (i == 0 ? mu : 0) - vv[i] - second[i];
     g_[e] = W.scaled(cone::quotient(rest, v));
   }

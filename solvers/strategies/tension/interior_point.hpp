@@ -22,12 +22,14 @@ namespace netloft::tension {
 ///   g = −y for a trial step, which reaches the boundary of K at the length a₀; then, with the same matrix,
 ///   g = W (v \ (σ μ e − v∘v − W δz ∘ W⁻¹ δy)),  v = W z,  σ = (1 − a₀)³,  v \ x solves v ∘ y = x   (5)
 ///   a = `to_boundary` of the way to the boundary of K, at most a whole step                 (6)
+///   g = W (v \ (μ e − v∘v)): a step towards the centre, z ∘ y = μ e                          (7)
 /// (Mehrotra's predictor and corrector for cones: E. D. Andersen, C. Roos, T. Terlaky, Math. Program. 95,
-/// 2003.) w is linear in u, so that steps need not be short because of the geometry of members. Drag does not
-/// fit into a convex problem; it is linearised at every step, like all of r. The method fails if a step
-/// becomes shorter than 1 − `to_boundary`. It has converged if μ and the residual are less than 2⁻²⁶ of the
-/// load, half of the digits of a double; Newton's method finds the other digits in one step. The resistance
-/// of members to compression is neglected.
+/// 2003.) w is linear in u, so that steps need not be short because of the geometry of members. A point at
+/// which some member is much nearer to the boundary of K than others allows short steps only; if (5) allows
+/// less than 1 − `to_boundary` of its step, (7) takes its place. Drag does not fit into a convex problem; it
+/// is linearised at every step, like all of r. The method fails if (7) is as short. It has converged if μ and
+/// the residual are less than 2⁻²⁶ of the load, half of the digits of a double; Newton's method finds the
+/// other digits in one step. The resistance of members to compression is neglected.
 class InteriorPoint {
  public:
   /// The options, which strategies.cpp explains.
@@ -47,8 +49,11 @@ class InteriorPoint {
 
   double largest_residual() const { return largest_of({residual_.data(), members_.unknowns()}); }
   double mu() const { return mu_; }
+  /// Whether μ and the residual are at most this fraction of the load.
+  bool is_within(double fraction) const;
 
  private:
+  enum class SecondOrder { no, yes };
   struct State {
     double z0;  // first coordinate of z; the others are w/l₀
     cone::Point y;
@@ -59,7 +64,6 @@ class InteriorPoint {
   double EA(std::size_t e) const { return members_[e].EA; }
   cone::Point z_of(std::size_t e) const;
   double strain(std::size_t e) const { return std::sqrt(dot(w_[e], w_[e])) / members_[e].rest_length - 1; }
-  bool has_converged() const;
   double mean_complementarity() const;
 
   bool evaluate(std::span<const double> u);
@@ -69,7 +73,8 @@ class InteriorPoint {
 
   double find_step();
   void predict();
-  void correct(double mu);
+  void correct(double mu, SecondOrder second_order);
+  double length_of_step() const;
   void solve_for_step();
   void set_step(std::size_t e);
   double zeta(std::size_t e, double g0, double along) const;

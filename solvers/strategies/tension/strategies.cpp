@@ -33,13 +33,15 @@ void Only::describe(StrategyTable<Only>& t) {
   t.needs(NETLOFT_SEARCH_MEMBERS);
   t.real("to_boundary", &Parameters::to_boundary, "1",
          "fraction of the distance to the boundary of the cone that a step may cover; members start inside "
-         "the cone by a strain of one minus this fraction, and a step shorter than that ends the method",
+         "the cone by a strain of one minus this fraction, and a step towards the centre that is shorter "
+         "than that "
+         "ends the method",
          {.lo = 0.1, .hi = 0.9999, .fallback = 0.98});
 }
 
 void Only::run(const Parameters& parameters, Search& search) {
   if (!(search.load() > 0)) return search.decline("no load acts on the gear");
-  bool has_converged = false;
+  bool is_start = false;
   const char* why_not = "its interior point did not converge";
   Displacements u = search.with_members(
       {.name = "tension only"}, search.start(), [&](netloft_members& members, std::span<double> there) {
@@ -48,9 +50,11 @@ void Only::run(const Parameters& parameters, Search& search) {
           return;
         }
         InteriorPoint method(parameters, members);
-        has_converged = method.solve(there, search.load()) == InteriorPoint::Ending::converged;
+        const InteriorPoint::Ending ending = method.solve(there, search.load());
+        is_start = ending == InteriorPoint::Ending::converged ||
+                   (ending == InteriorPoint::Ending::no_step && method.is_within(kOnlyAStart));
       });
-  if (!has_converged) return search.decline(why_not);
+  if (!is_start) return search.decline(why_not);
   solve_from(search, std::move(u));
 }
 
