@@ -1,16 +1,19 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measures what the package of Python costs beside the computation: its import, a solve, arrays, derivatives, many solves.
+"""Measures what the package of Python costs beside the computation: its import, a solve, many solves, Ctrl-C.
 
-    in_python.py PACKAGE [--times N] [--solves N]
+    in_python.py PACKAGE [--times N] [--solves N] [--moments N]
 
 PACKAGE is the folder that contains netloft, build/release/python. Times are processor times, the least of N; the overhead of a
-solve is its processor time without reading, setting up and solving as Netloft itself measures them [wall time, one thread].
+solve is the wall time of with_() and solve() without that of the C++ function that they call, for which Netloft itself keeps a watch.
 """
 import argparse
 import gc
+import os
+import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -31,8 +34,7 @@ def solve_row(netloft, name, changes, times):
         began = time.perf_counter()
         result = other.solve()
         took = 1e3 * (time.perf_counter() - began)
-        cost = result.to_dict()["wall_seconds"]
-        rows.append((took, took - 1e3 * cost["total"]))
+        rows.append((took, took - 1e3 * result._answer.seconds))
     best = min(rows)
     print(f"| {name} | {len(result.points)} | {best[0]:.2f} | {min(row[1] for row in rows):.2f} |")
 
@@ -56,11 +58,31 @@ def memory_row(netloft, solves):
     print(f"\nresident memory after {max(1, solves // 10)} solves {before} KiB, after {solves} more {after} KiB: ratio {after / before:.4f}")
 
 
+def interruption_row(netloft, nodes, moments):
+    """Ctrl-C at moments that are spread over the first ten seconds of a solve: from the signal to the exception."""
+    scene = netloft.load("83-112-flume-3.0kn.toml").with_({"gear.nodes": nodes})
+    waits, without = [], 0
+    for i in range(moments):
+        sent = []
+        timer = threading.Timer(10 * (i + 0.5) / moments, lambda: (sent.append(time.process_time()), os.kill(os.getpid(), signal.SIGINT)))
+        timer.start()
+        try:
+            while True:
+                netloft.Scene(scene.file).with_({"gear.nodes": nodes}).solve()
+        except KeyboardInterrupt as interrupted:
+            waits.append(1e3 * (time.process_time() - sent[0]))
+            without += getattr(interrupted, "result", None) is None
+    waits.sort()
+    print(f"\nCtrl-C at {moments} moments of solves with {nodes} nodes: after {waits[len(waits) // 2]:.0f} ms in the median, {waits[-1]:.0f} ms at most; "
+          f"{without} while the scene was read, when there is no shape yet")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("package", type=Path)
     parser.add_argument("--times", type=int, default=10)
     parser.add_argument("--solves", type=int, default=10000)
+    parser.add_argument("--moments", type=int, default=40)
     options = parser.parse_args()
     package = str(options.package.resolve())
     sys.path.insert(0, package)
@@ -69,11 +91,13 @@ def main():
     print("| import | processor time [ms] |\n|---|---|")
     for statement in ("pass", "import numpy", "import netloft"):
         print(f"| {statement} | {min(import_milliseconds(package, statement) for _ in range(options.times)):.0f} |")
-    print("\n| scene | nodes | solve [ms] | of it not reading, setting up or solving [ms] |\n|---|---|---|---|")
+    print("\n| scene | nodes | solve [ms] | of it not in the C++ function [ms] |\n|---|---|---|---|")
     for name, changes in (("hanging-rope.toml", {}), ("dead-weight-panel.toml", {}), ("83-112-flume-3.0kn.toml", {"gear.nodes": 500}),
                           ("83-112-flume-3.0kn.toml", {"gear.nodes": 2000})):
         solve_row(netloft, name, changes, options.times)
     memory_row(netloft, options.solves)
+    for nodes in (2000, 20000):
+        interruption_row(netloft, nodes, options.moments)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 #include "io/python/module/answer.hpp"
 
 #include "framework/assembler/reports.hpp"
+#include "framework/balance/statistics.hpp"
 #include "io/formats/work/interruptible_work.hpp"
 #include "io/program/session/session.hpp"
 #include "io/python/module/python_plugin.hpp"
@@ -48,6 +49,7 @@ Solution solve_from(runs::PreparedScene& scene, const std::vector<double>& start
 
 Answer::Answer(const OpenedScene& source, const SolveRequest& request, const std::atomic<bool>& interrupt)
     : started_(results::utc_now()), command_(source.command()) {
+  const Timed timed(seconds_);
   if (request.with_mesh_errors) command_.push_back("--error");
   const formats::InterruptibleWork reading(interrupt);
   scene_ = source.prepare(request.like.get());
@@ -55,7 +57,7 @@ Answer::Answer(const OpenedScene& source, const SolveRequest& request, const std
   if (request.like && !runs::have_same_topology(*request.like, *scene_))
     throw std::invalid_argument(
         "mesh_of has another mesh than this scene can have; it has to be an equilibrium of the same gear");
-  if (const auto why_not = runs::why_unfit(*scene_)) throw std::invalid_argument(*why_not);
+  if (const auto why_not = runs::why_unfit(*scene_)) throw PluginRefused(*why_not);
   solution_ =
       solve_from(*scene_, request.start, {.interrupt = &interrupt, .on_iteration = request.on_iteration});
   raised_ = take_error();

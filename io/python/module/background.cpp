@@ -15,8 +15,8 @@ namespace py = pybind11;
 
 namespace {
 
-// Python handles signals only when it is asked to. To react within 0.2 s, it has to be asked every 0.1 s.
-constexpr std::chrono::milliseconds kBetweenQuestions{50};
+// Python handles a signal only if somebody asks, and an answer is wanted within 0.2 s.
+constexpr std::chrono::milliseconds kBetweenQuestions{20};
 
 /// Discards an exception that a component in Python raised in this thread and nobody has fetched.
 void forget_error() {

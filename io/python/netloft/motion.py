@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, overload
 from . import _netloft
 from .errors import Interrupted, NotConverged
 from .names import Named, unknown
-from .result import Equilibrium, Report, joined
+from .result import Equilibrium, Report, framed, joined
 
 if TYPE_CHECKING:
     import xarray
@@ -116,6 +116,10 @@ class Stored(Report):
             return text
         Path(path).write_text(text, encoding="utf-8")
         return Path(path)
+
+    def view(self, width: str = "100%", height: int = 600) -> Any:
+        """The page of `netloft view` in a notebook."""
+        return framed(self.page(), width, height)
 
     def _repr_svg_(self) -> str:
         return self.picture(width=700)

@@ -48,6 +48,17 @@ def joined(blocks: Blocks) -> tuple[Cells, dict[str, list[Array]]]:
     return cells, data
 
 
+def framed(page: str, width: str, height: int) -> Any:
+    """A page in a frame of a notebook. It is no address of its own, because browsers open none beyond 2 MB."""
+    import html
+
+    try:
+        from IPython.display import IFrame
+    except ImportError:
+        raise ImportError("view() needs IPython, which notebooks have; page(\"trawl.html\") writes the page for a browser") from None
+    return IFrame("about:blank", width, height, extras=[f'srcdoc="{html.escape(page)}"'])
+
+
 class PartResult(Outputs):
     """The elements of one part in a result, as arrays that cannot be written to.
 
@@ -218,12 +229,7 @@ class Equilibrium(Report):
 
     def view(self, width: str = "100%", height: int = 600) -> Any:
         """The page of `netloft view` in a notebook."""
-        import base64
-
-        from IPython.display import IFrame
-
-        page = base64.b64encode(self.page().encode()).decode()
-        return IFrame(f"data:text/html;base64,{page}", width, height)
+        return framed(self.page(), width, height)
 
     def _repr_svg_(self) -> str:
         return self.draw(width=700)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeVar, overload
 
 from . import _netloft
 from ._netloft import Problem as Problem, Search as Search
+from .errors import Refused
 
 if TYPE_CHECKING:
     from .result import Equilibrium
@@ -74,7 +75,8 @@ def _component(function: Any, name: str | None, add: Callable[..., None]) -> Any
 
 def compare(scene: Scene, solvers: Iterable[Callable[[Problem], object] | str], **options: Any) -> dict[str, dict[str, Any]]:
     """Solves a scene by several solvers, each alone, and returns a dict by their names: status, iterations,
-    factorisations, seconds, and the largest distance of a node from the first answer that converged [m].
+    factorisations, seconds, and the largest distance of a node from the first answer that converged [m]. A solver that
+    cannot solve such a scene, because its forces have no energy for instance, is "unfit".
     """
     import numpy
 
@@ -82,7 +84,14 @@ def compare(scene: Scene, solvers: Iterable[Callable[[Problem], object] | str], 
     reference: Equilibrium | None = None
     for one in solvers:
         name: str = one if isinstance(one, str) else getattr(one, "netloft_name")
-        result = scene.solve(solver=name, raises=False, **options)
+        try:
+            result = scene.solve(solver=name, raises=False, **options)
+        except Refused as refused:
+            if refused.messages:  # about the scene, or a solver that there is not
+                raise
+            unknown = dict.fromkeys(("iterations", "factorisations", "seconds", "distance"), float("nan"))
+            table[name] = {"status": "unfit", "reason": str(refused), "result": None, **unknown}
+            continue
         row: dict[str, Any] = {"status": result.status, "reason": result.reason, "result": result}
         if reference is None and result.status == "converged":
             reference = result

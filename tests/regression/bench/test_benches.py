@@ -27,7 +27,7 @@ COMMANDS = {  # what it is called with
     "design.py": (PROGRAM, LIBRARY, "--nodes", "100", "--steps", "2"),
     "shapes.py": (PROGRAM.parent / "hard_cases", "--count", "1"),
     "unpredictable.py": (PROGRAM,),
-    "in_python.py": (PROGRAM.parent.parent / "python", "--times", "1", "--solves", "3"),
+    "in_python.py": (PROGRAM.parent.parent / "python", "--times", "1", "--solves", "3", "--moments", "1"),
     "optimum.py": (PROGRAM, LIBRARY, "--nodes", "100", "--starts", "1"),
     "motions.py": (PROGRAM, SOURCE, "--scenes", "pendulum", "--schemes", "newmark", "--accuracies", "1e-1"),
     "large_study.py": (PROGRAM, LIBRARY / "studies/83-112-speed-depth.toml", "--samples", "1", "--nodes", "100", "--engines", "pool", "--jobs", "1"),

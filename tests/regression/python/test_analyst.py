@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What an analyst does in a notebook: change, solve, read figures and arrays, differentiate, sweep, keep."""
 import gc
+import html
 import os
 import multiprocessing
 import pickle
@@ -11,7 +12,9 @@ import sys
 import tempfile
 import threading
 import time
+import types
 import unittest
+import unittest.mock
 from pathlib import Path
 
 import numpy
@@ -153,6 +156,20 @@ class AResult(unittest.TestCase):
         data = RESULT.to_xarray()
         self.assertEqual(data["mouth/headline_height"].attrs["units"], "m")
         self.assertEqual(data["points"].shape, RESULT.points.shape)
+
+
+    def test_shows_itself_in_a_notebook(self):
+        """The page is in the frame itself: browsers refuse an address that is as long."""
+        display = types.ModuleType("IPython.display")
+        display.IFrame = lambda *words, **more: (words, more)
+        with unittest.mock.patch.dict(sys.modules, {"IPython": types.ModuleType("IPython"), "IPython.display": display}):
+            (address, width, height), more = RESULT.view(height=500)
+        self.assertEqual((address, width, height), ("about:blank", "100%", 500))
+        page = html.unescape(more["extras"][0].removeprefix('srcdoc="').removesuffix('"'))
+        self.assertIn("<!DOCTYPE html>", page[:200])
+        self.assertNotRegex(page, r'(src|href)="https?:')  # works offline
+        with unittest.mock.patch.dict(sys.modules, {"IPython.display": None}), self.assertRaisesRegex(ImportError, "page"):
+            RESULT.view()
 
 
 class Derivatives(unittest.TestCase):

@@ -71,6 +71,14 @@ class ASolverInPython(unittest.TestCase):
         self.assertLess(table["damped_newton"]["distance"], 1e-6)
         self.assertGreater(table["damped_newton"]["factorisations"], 2)
 
+    def test_that_needs_an_energy_is_unfit_for_drag(self):
+        gear = netloft.load("83-112-flume-3.0kn.toml").with_({"gear.nodes": 150})
+        table = netloft.compare(gear, ["lbfgs", "newton"])
+        self.assertEqual([row["status"] for row in table.values()], ["unfit", "converged"])
+        self.assertIn("conservative", table["lbfgs"]["reason"])
+        with self.assertRaisesRegex(netloft.Refused, "did you mean \"newton\""):
+            netloft.compare(gear, ["newtn"])
+
     def test_may_be_that_of_scipy(self):
         scene = netloft.load("dead-weight-panel.toml").with_({"parts.net.cells": [4, 4]})
         newton = scene.solve(solver="newton")
