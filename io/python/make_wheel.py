@@ -25,6 +25,7 @@ Requires-Dist: numpy
 Provides-Extra: all
 Requires-Dist: scipy; extra == "all"
 Requires-Dist: xarray; extra == "all"
+Requires-Dist: matplotlib; extra == "all"
 
 """
 LICENCE = "BSD-3-Clause (with MUMPS and Scotch under CeCILL-C, METIS under Apache-2.0 and others under similar licences inside)"

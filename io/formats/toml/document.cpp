@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 
+#include "io/formats/files/installed_folder.hpp"
 #include "io/formats/toml/change.hpp"
 #include "io/formats/toml/merge.hpp"
 #include "io/formats/toml/parse.hpp"
@@ -84,6 +85,19 @@ std::string find_trouble(const std::string& text) {
   return {};
 }
 
+/// The cure if a file is missing beside a copy of a scene of the library: that of the library. Empty if the
+/// library has none of its name either.
+std::string cure_of_missing(const fs::path& path) {
+  std::error_code failed;
+  const fs::path scenes = installed_folder() / "share/netloft/gear-library/scenes";
+  if (fs::exists(path, failed) || !fs::is_directory(scenes, failed)) return {};
+  const fs::path tail = path.parent_path().filename() / path.filename();
+  for (const fs::path& candidate : {scenes / path.filename(), scenes / tail, scenes.parent_path() / tail})
+    if (fs::is_regular_file(candidate, failed))
+      return "the library has it: include = [\"" + candidate.lexically_normal().string() + "\"]";
+  return {};
+}
+
 /// Reads a file and the files that it includes, which come first.
 class Loader {
  public:
@@ -100,7 +114,7 @@ class Loader {
     FileText file = read(path, name);
     if (file.trouble.empty()) file.trouble = find_trouble(file.text);
     if (!file.trouble.empty()) {
-      diagnostics_.error(named_at, name + ' ' + file.trouble);
+      diagnostics_.error(named_at, name + ' ' + file.trouble, cure_of_missing(path));
       return {named_at, Table{}};
     }
     done_.insert(identity(path));

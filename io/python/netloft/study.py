@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ProcessPoolExecutor
 from typing import TYPE_CHECKING, Any
 
-from .names import Named
+from .names import Named, unknown
 from .quantity import Quantity
 
 if TYPE_CHECKING:
@@ -39,6 +39,10 @@ def _coordinate(values: list[Any]) -> tuple[list[Any], str]:
             return [str(v) for v in values], ""
         units.add(unit)
     return (numbers, units.pop()) if len(units) == 1 else ([str(v) for v in values], "")
+
+
+def _labelled(name: str, unit: str) -> str:
+    return f"{name} [{unit}]" if unit else name
 
 
 class Study:
@@ -80,6 +84,26 @@ class Study:
             numbers, unit = _coordinate(values)
             coords[name] = (name if name in self.dims else "point", numbers, {"units": unit})
         return xarray.Dataset(data, coords=coords, attrs={"scene": str(self.scene.file), "changes": list(self.scene.changes)})
+
+    def plot(self, figure: str, axes: Any = None) -> Any:
+        """A figure over the variable of a study with one, and the band of its error; returns the axes of matplotlib, which has
+        to be installed. Without error=True the band is that of the solver alone, and too narrow to be seen."""
+        import matplotlib.pyplot
+        import numpy
+
+        if len(self.variables) != 1:
+            raise ValueError(f"a plot has one variable, and the study has {len(self.variables)}; take what it is from to_xarray()")
+        [(name, values)] = self.variables.items()
+        solved = [(x, row[3][figure]) for x, row in zip(_coordinate(values)[0], self.rows) if row[1] == "converged" and figure in row[3]]
+        if not solved:
+            raise KeyError(unknown("figure", figure, dict.fromkeys(known for row in self.rows for known in row[3])))
+        x, y = [at for at, _ in solved], numpy.array([float(q) for _, q in solved])
+        band = numpy.array([q.error for _, q in solved])
+        axes = matplotlib.pyplot.subplots()[1] if axes is None else axes
+        axes.fill_between(x, y - band, y + band, alpha=0.3)
+        axes.plot(x, y, marker="o")
+        axes.set(xlabel=_labelled(name, _coordinate(values)[1]), ylabel=_labelled(figure, solved[0][1].unit), title=solved[0][1].doc)
+        return axes
 
     def __repr__(self) -> str:
         lines = Named("variable", {name: list(values) for name, values in self.variables.items()})

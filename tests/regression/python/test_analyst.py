@@ -247,6 +247,24 @@ class AStudy(unittest.TestCase):
         self.assertEqual(data["drag/all/x"].shape, (2, 2))
         self.assertTrue((data["drag/all/x"].sel({"tow.speed": 3.5}).values > data["drag/all/x"].sel({"tow.speed": 2.5}).values).all())
 
+    def test_is_plotted_with_the_band_of_its_error(self):
+        import matplotlib
+
+        matplotlib.use("agg")
+        study = netloft.study(GEAR, {"tow.speed": ["2.5 kn", "3 kn", "3.5 kn"]}, error=True)
+        axes = study.plot("mouth/headline_height")
+        self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), ("tow.speed [kn]", "mouth/headline_height [m]"))
+        heights = [row[3]["mouth/headline_height"] for row in study.rows]
+        numpy.testing.assert_array_equal(axes.lines[0].get_xydata(), list(zip([2.5, 3.0, 3.5], heights)))
+        band = axes.collections[0].get_paths()[0].vertices
+        for speed, height in zip([2.5, 3.0, 3.5], heights):
+            edge = band[band[:, 0] == speed, 1]
+            self.assertAlmostEqual(edge.max() - edge.min(), 2 * height.error)
+        with self.assertRaisesRegex(KeyError, "did you mean 'mouth/headline_height'"):
+            study.plot("mouth/headline")
+        with self.assertRaisesRegex(ValueError, "one variable"):
+            netloft.study(GEAR, {"tow.speed": [1.5], "gear.nodes": [150]}).plot("mouth/area")
+
     def test_keeps_points_without_an_answer_apart(self):
         with self.assertRaisesRegex(netloft.WrongInput, "did you mean"):
             netloft.study(GEAR, {"tow.sped": [1, 2]})

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Mistakes of a notebook: each is an exception that says the cure, and the interpreter lives on."""
+import re
 import tempfile
 import unittest
 from pathlib import Path
@@ -84,6 +85,16 @@ class AMistake(unittest.TestCase):
         self.assertEqual(message["severity"], "error")
         self.assertGreater(message["line"], 1)
         self.assertIn("rope.toml", message["where"])
+
+    def test_of_copying_a_scene_of_the_library_names_what_it_includes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "mine.toml"
+            path.write_text(GEAR.file.read_text())
+            with self.assertRaisesRegex(netloft.WrongInput, "the library has it: include") as caught:
+                netloft.load(path).solve()
+            include = re.search(r'include = \[".*"\]', str(caught.exception).split("the library has it: ")[1]).group()
+            path.write_text(re.sub(r"include = .*", include, GEAR.file.read_text()))
+            self.assertEqual(netloft.load(path).with_({"gear.nodes": 150}).solve().report, RESULT.report)
 
     def test_of_a_search_keeps_its_shape(self):
         with self.assertRaises(netloft.NotConverged) as caught:
