@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # AmdMetis::amd_metis: AMD, which is a part of SuiteSparse, and METIS, which order the unknowns of matrices. AMD is taken from
-# archives where there are some, as in Debian's libsuitesparse-dev: what is linked statically need not be found at each start.
+# archives if they exist, as in Debian's libsuitesparse-dev: a library that is linked statically need not be
+# found at each start.
 include(NetloftArchives)
 find_path(Amd_INCLUDE_DIR amd.h PATH_SUFFIXES suitesparse)
 find_path(Metis_INCLUDE_DIR metis.h)

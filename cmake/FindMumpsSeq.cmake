@@ -3,8 +3,9 @@
 #
 # netloft_mumps_object(OUT): custom command that makes OUT, one object file with all of MUMPS and its stand-in
 # for MPI inside. It exports netloft_dmumps_c and nothing else, so that a real MPI, and another MUMPS linked to
-# that, may live in the same process (a library of a plugin may bring both); and it takes its memory from netloft_mumps_malloc and
-# its like, which whoever links the object has to provide: MUMPS allocates afresh in every factorisation.
+# it may be in the same process (a library of a plugin may load both). It takes its memory from
+# netloft_mumps_malloc and similar functions, which the program that links the object must define, because
+# MUMPS allocates anew in every factorisation.
 find_path(MumpsSeq_INCLUDE_DIR dmumps_c.h)
 set(MumpsSeq_ARCHIVES "")
 foreach(part dmumps mumps_common pord mpiseq)
@@ -12,7 +13,7 @@ foreach(part dmumps mumps_common pord mpiseq)
   mark_as_advanced(MumpsSeq_${part}_ARCHIVE)
   list(APPEND MumpsSeq_ARCHIVES ${MumpsSeq_${part}_ARCHIVE})
 endforeach()
-# What MUMPS itself needs; of Scotch and Fortran the run-time packages have no plain names.
+# Libraries that MUMPS needs. The run-time packages of Scotch and Fortran have no file names without versions.
 find_library(MumpsSeq_esmumps_LIBRARY NAMES esmumps esmumps-7.0 esmumps-6.1)
 find_library(MumpsSeq_scotch_LIBRARY NAMES scotch scotch-7.0 scotch-6.1)
 find_library(MumpsSeq_gfortran_LIBRARY NAMES gfortran libgfortran.so.5)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# netloft_find_archives(OUT NAMES...): sets OUT to the static libraries of these names, in their order; to nothing where one
-# is missing, or where NETLOFT_ARCHIVES is OFF. What is linked statically need not be found, mapped and relocated whenever
-# a program starts.
+# netloft_find_archives(OUT NAMES...): sets OUT to the static libraries of these names, in their order; to an
+# empty list if one is missing, or where NETLOFT_ARCHIVES is OFF. Libraries that are linked statically need
+# not be found, mapped and relocated whenever a program starts.
 option(NETLOFT_ARCHIVES "Link numerical libraries statically where there are archives of them" ON)
 function(netloft_find_archives out)
   set(${out} "" PARENT_SCOPE)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# netloft_blas: LAPACK and BLAS, shared. In a target with the property NETLOFT_BLAS_ARCHIVE, OpenBLAS's archive instead
-# where there is one: 13 000 names are looked up in the shared library whenever a program starts, a tenth of what a run
-# takes that solves next to nothing. The archive makes a program 27 MB larger, so that tests do not want it.
+# netloft_blas: LAPACK and BLAS, shared. In a target with the property NETLOFT_BLAS_ARCHIVE, OpenBLAS's
+# archive instead, if it exists: 13 000 names are looked up in the shared library whenever a program starts,
+# which is a tenth of the time of a very small run. The archive makes a program 27 MB larger, so that tests
+# use the shared library.
 include(NetloftArchives)
 netloft_find_archives(NETLOFT_OPENBLAS_ARCHIVE openblas)
 if(TARGET netloft_blas)

@@ -8,10 +8,10 @@ if(HDF5_IS_PARALLEL)
                       "Point HDF5_ROOT at it.")
 endif()
 
-# The archive where there is one: Debian's shared library draws in some forty others (curl, OpenSSL, Kerberos, LDAP), for
-# files on servers that nobody opens here, and loading them takes longer than the rest of a small run
-# (tests/bench/start_up.py). What the archive stands on is linked where a symbol is needed, so most of it is not. A shared
-# library brings what it stands on; the module lists it all the same.
+# The archive if it exists: Debian's shared library loads about forty others (curl, OpenSSL, Kerberos, LDAP),
+# for files on servers that nobody opens here, and loading them takes longer than the rest of a small run
+# (tests/bench/start_up.py). Most libraries that the archive depends on are not linked, because none of their
+# symbols is used. A shared library loads its own dependencies, but the module lists them, too.
 set(netloft_hdf5_libraries ${HDF5_C_LIBRARIES})
 if(HDF5_C_LIBRARY_hdf5 MATCHES "\\.(so|dylib)")
   get_filename_component(beside ${HDF5_C_LIBRARY_hdf5} DIRECTORY)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What `cmake --install` lays down. The folder may be moved: the program finds the rest from where it stands, and the
-# build folder has the same layout, so that find_package(netloft) and `netloft --cflags` work there, too.
+# The files that `cmake --install` writes. The folder may be moved: the program finds the other files relative
+# to its own place. The build folder has the same layout, so that find_package(netloft) and `netloft --cflags`
+# work there, too.
 #
 #   bin/netloft   include/netloft/   lib/netloft/ (plugins)   lib/cmake/netloft/
 #   share/netloft/ (gear-library, schema of scenes)   share/doc/netloft/ (guides, licence)
@@ -18,7 +19,7 @@ foreach(file NetloftPlugin.cmake plugin.map)
 endforeach()
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/framework/include ${PROJECT_BINARY_DIR}/include SYMBOLIC)
 
-# The schema of scenes comes from the tables of the plugins as built.
+# The schema of scenes comes from the tables of the plugins of this build.
 set(netloft_schema ${PROJECT_BINARY_DIR}/share/netloft/scene.schema.json)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/netloft)
 add_custom_command(OUTPUT ${netloft_schema} COMMAND netloft schema > ${netloft_schema} DEPENDS netloft netloft_plugins VERBATIM)
@@ -41,7 +42,7 @@ add_custom_target(netloft_documents ALL DEPENDS ${netloft_documents})
 
 install(TARGETS netloft RUNTIME DESTINATION bin)
 if(NOT NETLOFT_STATIC)
-  # Adapters to large libraries are a component of their own, which not everybody has to have.
+  # Adapters to large libraries are a separate component, which is optional.
   set(adapters "/(kinsol|arkode)\\.so$")
   install(DIRECTORY ${NETLOFT_PLUGIN_DIR}/ DESTINATION lib/netloft FILES_MATCHING PATTERN "*.so"
           REGEX ${adapters} EXCLUDE)
@@ -55,14 +56,14 @@ install(DIRECTORY gear-library DESTINATION share/netloft)
 install(DIRECTORY framework/guides DESTINATION share/doc/netloft PATTERN README.md EXCLUDE)
 install(FILES ${netloft_schema} DESTINATION share/netloft)
 install(FILES LICENSE DESTINATION share/doc/netloft RENAME copyright)
-# Notices of what stands in the program itself, linked from archives (Debian keeps them there).
+# Licences of libraries that are linked into the program from archives (Debian keeps them there).
 foreach(archive libexpat1-dev libhdf5-dev libmumps-seq-dev libopenblas-serial-dev libscotch-dev libsuitesparse-dev libudunits2-dev)
   if(EXISTS /usr/share/doc/${archive}/copyright)
     install(FILES /usr/share/doc/${archive}/copyright DESTINATION share/doc/netloft RENAME copyright-of-${archive})
     list(APPEND netloft_notices ${archive})
   endif()
 endforeach()
-# The package of Python has the same parts inside, and a wheel shared libraries as well.
+# The package of Python contains the same files, and a wheel the shared libraries as well.
 if(NETLOFT_PYTHON)
   foreach(package IN LISTS netloft_notices ITEMS libmetis5 libgfortran5)
     if(EXISTS /usr/share/doc/${package}/copyright)

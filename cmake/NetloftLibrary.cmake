@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # netloft_library(NAME ROOMS folders… [ALONE sources…] [EXCEPT sources…] [PUBLIC libraries…] [PRIVATE libraries…]): a static
-# library of all sources in these folders of the calling one ("." is that one itself).
+# library of all sources in these folders, which are relative to the calling folder (".").
 #
-# With NETLOFT_UNITY they are compiled as one source, because most sources take longer to read headers, and to make of
-# templates what others make as well, than for all else: names without linkage have to be unique within a library. ALONE are
-# sources that stay apart, because of options of their own or of large headers. EXCEPT are those that the caller adds
-# himself, or leaves out.
+# With NETLOFT_UNITY they are compiled as one source, because for most sources, reading headers and
+# instantiating the same templates as other sources takes most of the time. Names without linkage must then be
+# unique within a library. ALONE are sources that are compiled separately, because of their own options or
+# large headers. EXCEPT are sources that the caller adds itself or leaves out.
 include_guard(GLOBAL)
 
 function(netloft_library name)
@@ -15,8 +15,9 @@ function(netloft_library name)
   target_link_libraries(${name} PUBLIC netloft_root ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
 endfunction()
 
-# netloft_sources(TARGET ROOMS folders… [ENDING text] [ALONE sources…] [EXCEPT sources…]): the same for a target that is there
-# already; ENDING, .cpp by default, chooses its sources. What one call adds is compiled as one source.
+# netloft_sources(TARGET ROOMS folders… [ENDING text] [ALONE sources…] [EXCEPT sources…]): the same for a
+# target that exists already; ENDING, .cpp by default, chooses its sources. All sources of one call are
+# compiled as one source.
 function(netloft_sources target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "ENDING" "ROOMS;ALONE;EXCEPT")
   if(NOT arg_ENDING)

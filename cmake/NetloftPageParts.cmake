@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Parts of pages as texts in the program.
+# Texts of parts of pages, which are compiled into the program.
 include_guard(GLOBAL)
 
-# read_part(OUT FILES…): the files one after another; changed files make CMake run again.
+# read_part(OUT FILES…): joins the texts of the files; CMake runs again when a file changes.
 function(read_part out)
   set(whole "")
   foreach(file IN LISTS ARGN)
@@ -16,7 +16,7 @@ function(read_part out)
   set(${out} "${whole}" PARENT_SCOPE)
 endfunction()
 
-# A compiler need not take long texts in one piece: pieces of 16000 characters, which it joins.
+# Compilers may refuse long texts in one literal, so texts are divided into literals of 16000 characters.
 function(as_literal out text)
   set(literal "")
   string(LENGTH "${text}" length)
@@ -29,7 +29,8 @@ function(as_literal out text)
   set(${out} "${literal}" PARENT_SCOPE)
 endfunction()
 
-# write_source(FILE TEXT): written as it is (the scripts hold what CMake would take for expressions), and only if it has changed.
+# write_source(FILE TEXT): writes the text without expanding generator expressions, which scripts may contain
+# by chance, and only if it has changed.
 function(write_source file source)
   set(before "")
   if(EXISTS ${file})

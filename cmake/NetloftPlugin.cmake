@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# netloft_add_plugin(NAME SOURCES… [TESTS sources…] [SCENES files…]): one plugin, NAME.so, linked to nothing of ours
-# but headers. -ffp-contract=off keeps the results of all builds equal.
+# netloft_add_plugin(NAME SOURCES… [TESTS sources…] [SCENES files…]): one plugin, NAME.so, which uses none of
+# our libraries, only headers. -ffp-contract=off keeps the results of all builds equal.
 #
 # In this tree it goes to the folder of plugins, and on x86-64 it is built a second time for x86-64-v3 (AVX2, FMA)
-# in a folder of that name beside it; the loader takes the newest build the processor runs. With NETLOFT_STATIC the
-# same sources go into the program under a symbol of their own.
+# in a folder of that name beside it; the loader takes the newest build that the processor can run. With
+# NETLOFT_STATIC, the same sources are linked into the program under their own symbol.
 #
-# netloft_shipped_plugins(FOLDERS…) does so for folders of this tree, each a plugin of its name made of all its sources, which
-# may include headers by path. NETLOFT_X86_64_V3 is the caller's: OFF where no kernel would gain by the second build.
-# The target netloft_plugins has all builds of all of them, netloft_plugins_here the one that this processor runs.
+# netloft_shipped_plugins(FOLDERS…) does this for folders of this tree: all sources of a folder are the plugin
+# of its name, and may include headers by path. The caller sets NETLOFT_X86_64_V3 to OFF if no kernel would
+# gain by the second build. The target netloft_plugins has all builds of all of them, netloft_plugins_here the
+# one that this processor runs.
 #
-# After find_package(netloft) it goes to the folder of the build, for any processor; NETLOFT_X86_64_V3 adds the other
-# build. `ctest` then asks `netloft test` about it, runs each of TESTS, and runs each of SCENES with it.
+# After find_package(netloft), the plugin is written to the build folder, for any processor; NETLOFT_X86_64_V3
+# adds the other build. `ctest` then checks it by `netloft test`, and runs each of TESTS and, with the plugin,
+# each of SCENES.
 include_guard(GLOBAL)
 
 set_property(GLOBAL PROPERTY NETLOFT_STATIC_PLUGINS "")
@@ -83,7 +85,7 @@ endfunction()
 function(netloft_add_module target output folder)
   add_library(${target} MODULE ${ARGN})
   netloft_plugin_flags(${target})
-  # A sanitizer of clang is in the program alone, where modules find it as they are opened.
+  # A sanitizer of clang is linked into the program only; plugins find it there when they are opened.
   set(complete -Wl,-z,defs)
   if(CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND CMAKE_CXX_FLAGS MATCHES "-fsanitize")
     set(complete "")
@@ -92,14 +94,14 @@ function(netloft_add_module target output folder)
   set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME ${output} LIBRARY_OUTPUT_DIRECTORY ${folder})
 endfunction()
 
-# Who names no build type wants a plugin that is fast.
+# Without a build type, a plugin is optimised.
 function(netloft_plugin_flags target)
   target_link_libraries(${target} PRIVATE netloft::plugin)
   target_compile_options(${target} PRIVATE $<$<CONFIG:>:-O2> -ffp-contract=off -fno-math-errno -fno-trapping-math)
   set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
 endfunction()
 
-# What netloft_add_plugin was told after TESTS and SCENES stands in the caller's arg_TESTS and arg_SCENES.
+# Reads the variables arg_TESTS and arg_SCENES of the caller, netloft_add_plugin.
 function(netloft_add_plugin_tests name)
   add_test(NAME ${name}.conforms COMMAND netloft::program test $<TARGET_FILE:${name}>)
   foreach(source IN LISTS arg_TESTS)

@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Headers compiled once for many sources: most of them take longer to read the standard library than all else.
+# Headers compiled once for many sources: most sources take longer to read the standard library than for
+# anything else.
 #
-# netloft_precompile_programs(TARGET): a program of the tests reads the standard headers, and GoogleTest's, compiled.
-# netloft_precompile_libraries(FOLDER): so do, without GoogleTest's, all static libraries of a folder and of those below.
+# netloft_precompile_programs(TARGET): a program of the tests uses precompiled standard headers and those of
+# GoogleTest. netloft_precompile_libraries(FOLDER): all static libraries in a folder and its subfolders use
+# precompiled standard headers.
 #
-# A target of its own compiles them, because the others must have its flags, and because a compiler cache serves other
-# checkouts only if no path stands in these flags.
+# A separate target compiles them, because the others must have its flags, and because a compiler cache serves
+# other checkouts only if no path stands in these flags.
 #
-# What includes too little compiles all the same, so that people's builds do without: products have NETLOFT_PRECOMPILE,
-# which is off but where a preset wants time more, and nightly builds set CMAKE_DISABLE_PRECOMPILE_HEADERS for tests, too.
+# A source that lacks an include compiles all the same, so default builds do not precompile: for products,
+# NETLOFT_PRECOMPILE is off except in presets for fast builds, and nightly builds set
+# CMAKE_DISABLE_PRECOMPILE_HEADERS for tests, too.
 include_guard(GLOBAL)
 
 set(netloft_standard_headers

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# NETLOFT_SYSTEM_PYTHON: the Python of the scripts among the tests. A build with tests ends without its modules, because tests that are
-# not there cannot fail. Debian's python3 has them; one that shadows it on the path usually has not.
+# NETLOFT_SYSTEM_PYTHON: the Python that runs test scripts. The configuration of a build with tests fails
+# without its modules, because tests that are left out cannot fail. Debian's python3 has them; another python3
+# before it on the path usually has not.
 find_program(NETLOFT_SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
 if(NETLOFT_SYSTEM_PYTHON)
   execute_process(COMMAND ${NETLOFT_SYSTEM_PYTHON} -c "import h5py, numpy, tomllib" RESULT_VARIABLE netloft_python_lacks

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # netloft_add_sundials(FOLDER ARCHIVES…): the adapter to a part of SUNDIALS, the plugin in that folder, built
-# where SUNDIALS 6 is there with static libraries (Debian: libsundials-dev): the plugin has them inside. ARCHIVES are those
-# of that part; each has to stand before those that it uses.
+# if SUNDIALS 6 has static libraries (Debian: libsundials-dev), which are linked into the plugin. ARCHIVES are
+# the archives of that part; each must precede those that it uses.
 function(netloft_add_sundials folder)
   cmake_parse_arguments(PARSE_ARGV 1 of "" "" "ARCHIVES")
   get_filename_component(name ${folder} NAME)

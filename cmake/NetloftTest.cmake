@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # netloft_test(NAME [ROOMS folders…] [EXCEPT files…] [SOURCES files…] LIBRARIES targets… [OPTIONS flags…] [SLOW_TESTS names…] [SLOW|LONG]):
 # one GoogleTest program, each of its tests known to ctest. Its sources are *_test.cpp in ROOMS, compiled as one (NetloftLibrary.cmake),
-# and SOURCES. OPTIONS are those of the plugin whose kernels stand among SOURCES. SLOW, and the SLOW_TESTS of one that is not: minutes
-# to compile or to run under sanitizers, so that .ci/run tries them without them alone; LONG: .ci/run leaves it to tests/nightly.
+# and SOURCES. OPTIONS are those of the plugin whose kernels are among SOURCES. SLOW, or SLOW_TESTS for some
+# tests of a program: they take minutes to compile or run under sanitizers, so that .ci/run runs them only
+# without sanitizers; LONG: .ci/run leaves the program to tests/nightly.
 #
-# With NETLOFT_TEST_PROGRAMS ctest knows the program as one test instead, which starts once: for sanitizers, which take
-# longer to start than most tests.
+# With NETLOFT_TEST_PROGRAMS, ctest runs the program as one test, which starts once: for sanitizers, which
+# take longer to start than most tests.
 #
-# netloft_long_tests(NAMES…): a choice of those that take longest, most of it compiling plugins, starting the program or
-# waiting, which .ci/run leaves to tests/nightly. netloft_first_tests(NAMES…): others that take long, which are begun first,
-# so that none ends alone.
+# netloft_long_tests(NAMES…): some of the tests that take longest, mostly by compiling plugins, starting the
+# program or waiting, which .ci/run leaves to tests/nightly. netloft_first_tests(NAMES…): other long tests,
+# which start first, so that none of them runs alone at the end.
 #
-# Tests are hundreds of small sources, whose time of compiling is mostly that of the headers they share, and of optimising
-# what runs once. So these headers are compiled once (not where OPTIONS differ: GCC would not take them), and tests are
-# optimised little; what they test is built as people build it.
+# Tests are hundreds of small sources, whose compile time is mostly that of shared headers, and of optimising
+# code that runs once. So these headers are precompiled (except where OPTIONS differ, with which GCC refuses
+# them), and tests are optimised little; the code that they test is built as in releases.
 include_guard(GLOBAL)
 include(GoogleTest)
 include(NetloftPrecompile)
@@ -32,9 +33,9 @@ function(netloft_test name)
   else()
     netloft_precompile_programs(${name})
   endif()
-  # Threads of OpenMP spin when the cores are taken. Of OpenBLAS's kernels for small matrices those for
-  # Cooperlake allocate at every call; those for Haswell run on every machine with AVX2 and do not. Two properties, because
-  # gtest_discover_tests hands on one entry of each.
+  # Threads of OpenMP busy-wait when the cores are occupied. OpenBLAS's kernels for small matrices for
+  # Cooperlake allocate at every call; those for Haswell run on every machine with AVX2 and do not. There are
+  # two properties, because gtest_discover_tests passes on only one entry of each.
   set(label googletest)
   if(arg_LONG)
     set(label long)

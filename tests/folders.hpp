@@ -4,7 +4,7 @@
 
 namespace netloft::test {
 
-/// Folders of the checkout, the build and its plugins. They are in one source, folders.cpp.in, because these
+/// Folders of the checkout, the build and its plugins. The source folders.cpp.in contains them, because these
 /// paths in flags or in a header would prevent a compiler cache from serving other checkouts.
 const std::string& source_folder();
 const std::string& build_folder();

@@ -47,7 +47,7 @@ void Placement::place(std::span<const double> u, std::span<double> x, double tim
 void Placement::place_from(std::span<const double> base, std::span<const double> u, std::span<double> x,
                            std::span<double> x_low) const {
   assert(is_over_dofs(base) && is_over_unknowns(u) && is_over_dofs(x) && is_over_dofs(x_low));
-  assert(!has_bodies() && "a body carries nodes by products, whose low-order parts are not kept");
+  assert(!has_bodies() && "low-order parts of positions are not kept for nodes on a body");
   std::copy(u.begin(), u.end(), x_low.begin());
   std::fill(x_low.begin() + static_cast<std::ptrdiff_t>(u.size()), x_low.end(), 0.0);
   frames_.turn_back(u, x_low);

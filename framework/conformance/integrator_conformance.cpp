@@ -201,7 +201,7 @@ Finding remembers_nothing_in_scratch(IntegratorBench& b) {
   b.run(kept, {0.01}, 0.1);
   b.run(cleared, {0.01}, 0.1);
   return moves_alike(kept, cleared) ? Finding{}
-                                    : failed("a step depends on what an earlier one left in scratch");
+                                    : failed("a step depends on what an earlier step left in scratch");
 }
 
 Finding explicit_means_explicit(IntegratorBench& b) {
@@ -227,7 +227,8 @@ const std::vector<Check<IntegratorBench>>& integrator_table() {
       {"no-exception-escapes",
        integrator_lets_no_exception_escape,
        {"defaults-are-allowed"},
-       "catch everything before it crosses the boundary, as the layer of integrator.hpp does; leave rounding "
+       "catch every exception before it leaves the plugin, as the code of integrator.hpp does; leave "
+       "rounding "
        "and traps as they were"},
       {"fills-every-output",
        fills_every_output,
@@ -298,7 +299,7 @@ const std::vector<Check<IntegratorBench>>& integrator_table() {
       {"starts-no-threads",
        method_starts_no_threads,
        {},
-       "the host divides the work; a plugin that starts threads takes the processor from it"},
+       "the program runs threads of its own; a thread started by a plugin slows them down"},
   };
   return checks;
 }

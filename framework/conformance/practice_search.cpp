@@ -212,7 +212,7 @@ bool PracticeSearch::is_itself(std::string strategy, const char* parameters,
 int PracticeSearch::call(const char* strategy, const char* parameters, netloft_stage* stage) {
   if (!strategy || !*strategy) note(Slip::out_of_range, "calls a strategy without a name");
   if (strategy && is_itself(strategy, parameters, *stage))
-    note(Slip::calls_itself, "calls itself on the scene itself, from its start, without end");
+    note(Slip::calls_itself, "calls itself without end on the scene itself, from its start");
   for (const char* text : {strategy, parameters}) trace_ += text ? text : "";
   if (!scene_.others_decline) return solve(stage);
   if (is_refused(*stage)) return fail("the host broke down");

@@ -168,7 +168,8 @@ const std::vector<Check<SolverBench>>& solver_table() {
       {"no-exception-escapes",
        solver_lets_no_exception_escape,
        {"defaults-are-allowed"},
-       "catch everything before it crosses the boundary, as the layer of solver.hpp does; leave rounding and "
+       "catch every exception before it leaves the plugin, as the code of solver.hpp does; leave rounding "
+       "and "
        "traps as they were"},
       {"says-progress",
        says_progress,
@@ -222,7 +223,7 @@ const std::vector<Check<SolverBench>>& solver_table() {
       {"starts-no-threads",
        method_starts_no_threads,
        {},
-       "the host divides the work; a plugin that starts threads takes the processor from it"},
+       "the program runs threads of its own; a thread started by a plugin slows them down"},
   };
   return checks;
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint32_t kMayBeClaimed =
     NETLOFT_SEARCH_REMEMBERS | NETLOFT_SEARCH_FLOWS | NETLOFT_SEARCH_COMPRESSION;
 
-const char* const kNoScene = "it needs traits that no practice search has";
+const char* const kNoScene = "it needs traits that none of the searches in this test has";
 
 /// Runs the strategy on every scene that it accepts; `fault_of(search, status)` returns a fault or an empty
 /// string.
@@ -118,7 +118,9 @@ Finding answers_the_scene_itself(StrategyBench& b) { return never(b, Slip::answe
 
 Finding hands_back_what_it_found(StrategyBench& b) {
   return over(b, scenes(), [](const PracticeSearch& search, int) -> std::string {
-    return search.has_kept_an_equilibrium() ? "met a better equilibrium than any of its answers" : "";
+    return search.has_kept_an_equilibrium()
+               ? "found an equilibrium that is better than all its answers, but did not answer with it"
+               : "";
   });
 }
 
@@ -141,7 +143,8 @@ Finding no_equilibrium_is_no_error(StrategyBench& b) {
 /// Checks that the strategy ends, even if all strategies that it calls return at once without any work, and
 /// that it does not call itself in the same way as it was called.
 Finding comes_to_an_end(StrategyBench& b) {
-  NamedScene idle{"a chain without an equilibrium, where every other strategy returns at once", kRunaway};
+  NamedScene idle{"a chain without an equilibrium, in which every strategy that it calls returns at once",
+                  kRunaway};
   idle.scene.others_decline = true;
   auto all = all_scenes();
   all.push_back(idle);
@@ -180,7 +183,7 @@ Finding leaves_the_search_alone(StrategyBench& b) {
   return over(b, all, [](const PracticeSearch& search, int) -> std::string {
     return search.is_left_alone()
                ? ""
-               : "the start, the struct of the search or the guard behind the message has changed";
+               : "it has overwritten the start, the struct of the search or memory behind the message";
   });
 }
 
@@ -283,7 +286,7 @@ const std::vector<Check<StrategyBench>>& strategy_table() {
       {"no-exception-escapes",
        strategy_lets_no_exception_escape,
        {"defaults-are-allowed"},
-       "catch everything before it crosses the boundary, as the layer of strategy.hpp does; leave rounding "
+       "catch every exception before it leaves the plugin, as the code of strategy.hpp does; leave rounding "
        "and traps as they were"},
       {"fills-its-stages",
        fills_its_stages,
@@ -317,8 +320,8 @@ const std::vector<Check<StrategyBench>>& strategy_table() {
       {"comes-to-an-end",
        comes_to_an_end,
        {"no-exception-escapes"},
-       "does a loop wait for work to be used up? A stage or a strategy that declines uses none. Does the "
-       "strategy call itself?"},
+       "does a loop wait until the work is used up? A refused stage uses no work. Does the strategy call "
+       "itself?"},
       {"stops-at-an-error",
        stops_at_an_error,
        {"no-exception-escapes"},
@@ -352,18 +355,19 @@ const std::vector<Check<StrategyBench>>& strategy_table() {
       {"leaves-the-search-alone",
        leaves_the_search_alone,
        {"no-exception-escapes"},
-       "the start and the search are the host's; copy the start, and write no more than `message_size`"},
+       "do not change the start or the search: copy the start; write at most `message_size` bytes of "
+       "message"},
       {"no-hidden-state",
        strategy_has_no_hidden_state,
        {"no-exception-escapes"},
-       "no static or mutable variables, no clock: the same search has the same stages, bit for bit"},
+       "no static or mutable variables, no clock: the same search must run the same stages, bit for bit"},
       {"answers-nothing", answers_nothing, {"no-exception-escapes"}, "a scene may have no unknowns at all"},
       {"survives-its-bounds",
        survives_its_bounds,
        {"no-equilibrium-is-no-error", "comes-to-an-end", "stops-when-work-is-used-up", "fills-its-stages",
         "asks-for-what-there-is", "keeps-within-its-work", "starts-from-numbers", "answers-with-numbers",
         "answers-the-scene-itself", "names-its-stages"},
-       "both ends of a range are allowed values: what do they divide, count or multiply?"},
+       "both ends of a range are allowed values: is anything divided by a parameter that is zero there?"},
       {"explains-without-solving",
        explains_without_solving,
        {"no-exception-escapes"},
@@ -375,7 +379,7 @@ const std::vector<Check<StrategyBench>>& strategy_table() {
       {"starts-no-threads",
        method_starts_no_threads,
        {},
-       "the host divides the work; a plugin that starts threads takes the processor from it"},
+       "the program runs threads of its own; a thread started by a plugin slows them down"},
   };
   return checks;
 }

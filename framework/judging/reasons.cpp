@@ -128,8 +128,8 @@ std::string growth_sentence(const Assessment& a, const Assembler& assembler, con
   const auto many =
       std::count_if(moves.begin(), moves.end(), [&](double move) { return move >= kMoves * most; });
   return text + ", most at " + node_of_growth(a, assembler, scene) + "; " + std::to_string(many) + " of " +
-         std::to_string(moves.size()) + " nodes move at least a tenth as far, with " +
-         percent(a.growing.share) + " of the mass";
+         std::to_string(moves.size()) + " nodes, with " + percent(a.growing.share) +
+         " of the mass, move at least a tenth as far";
 }
 
 std::string node_of_growth(const Assessment& a, const Assembler& assembler, const Scene& scene) {

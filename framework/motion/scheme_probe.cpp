@@ -52,7 +52,7 @@ std::string SchemeProbe::fault_of(const StepScheme& scheme, const MarchState& at
   char text[320];
   std::snprintf(text, sizeof text,
                 "the integrator %s does not follow the equation of motion: a step of %s leaves %.3g N of "
-                "%.3g N out of balance, and moves the gear by %.3g of the correct displacement",
+                "%.3g N out of balance, and moves the gear by %.3g times the correct displacement",
                 scheme.name().c_str(), seconds_text(10 * h).c_str(), left, driving_, path);
   return text;
 }

@@ -104,7 +104,7 @@ void check_columns(const netloft_parameter& p, const std::string& who, Faults& f
       return faults.add(who + " has no unit for its column \"" + p.columns[i] + "\"");
   faults.require(p.arguments <= 2 && (p.arguments < 2 || (p.columns[1] && p.columns[2])),
                  who + " is a table over " + std::to_string(p.arguments) +
-                     " arguments; one or two are possible, with a column beside them");
+                     " arguments; it needs one or two, and at least one more column");
 }
 
 void check_parameter(const netloft_parameter& p, std::uint32_t struct_bytes, const std::string& owner,
@@ -189,8 +189,8 @@ void check_terms(const ElementType& e, const std::string& owner, Faults& faults)
     faults.require(!(t.traits & NETLOFT_IS_DRAG) || !(t.traits & NETLOFT_READS_CURRENT) ||
                        (t.traits & NETLOFT_READS_VELOCITY),
                    who +
-                       " is drag that reads the current but no velocity, so it would be wrong in a motion: "
-                       "declare reads_velocity, and use the current minus the velocity");
+                       " is drag that reads the current but not the velocity of the nodes, so it would be "
+                       "wrong in a motion: declare reads_velocity, and use the current minus the velocity");
     for (const auto& name : names_needed_by(t))
       faults.require(has_earlier_real(e.parameters, e.parameters.size(), name),
                      who + " needs the parameter \"" + name + "\", which the element does not have");

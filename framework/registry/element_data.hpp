@@ -23,13 +23,12 @@ struct HostDatum {
 namespace datum {
 
 inline constexpr HostDatum kPieces{"pieces", 1, "1",
-                                   "number of pieces on the node; 1 in a part with nodes of its own"};
-inline constexpr HostDatum kLength{"length", 1, "m",
-                                   "rope or twine that the node carries; 0 in a part with nodes of its own"};
+                                   "number of pieces at the node; 1 if the part has nodes of its own"};
+inline constexpr HostDatum kLength{
+    "length", 1, "m", "length of rope or twine that the node carries; 0 if the part has nodes of its own"};
 inline constexpr HostDatum kRestLength{"rest_length", 1, "m", "unstretched length of the bar"};
-inline constexpr HostDatum kParallel{
-    "parallel", 1, "1",
-    "twines side by side that one bar represents; the bar lies along the twines of a panel"};
+inline constexpr HostDatum kParallel{"parallel", 1, "1",
+                                     "number of parallel twines of a panel that one bar represents"};
 inline constexpr HostDatum kU{"u", 3, "1", "first twine coordinate of the corners, in bars"};
 inline constexpr HostDatum kV{"v", 3, "1", "second twine coordinate of the corners, in bars"};
 inline constexpr HostDatum kBarLength{"bar_length", 1, "m", "unstretched length of a bar of the netting"};

@@ -24,8 +24,8 @@ inline constexpr KnownOutput kKnots{"knots", "1",
 inline constexpr KnownOutput kHalfAngle{"half_angle", "rad",
                                         "half the angle between the twines of a mesh: its opening"};
 inline constexpr KnownOutput kDrag{"drag", "N", "force of the water: drawn by length and area"};
-inline constexpr KnownOutput kStrain{"strain", "1",
-                                     "strain, which gives a mesh made from a result its unstretched lengths"};
+inline constexpr KnownOutput kStrain{
+    "strain", "1", "strain, from which unstretched lengths follow when a result is made into a mesh"};
 inline constexpr KnownOutput kNormalForce{
     "normal_force", "N", "force of the ground on a node: shows which nodes touch the bed, and how hard"};
 inline constexpr KnownOutput kGap{"gap", "m",
@@ -37,8 +37,8 @@ inline constexpr KnownOutput kVolume{"volume", "m3", "volume of a catch in the e
 
 inline constexpr KnownOutput kInduction{"induction", "1",
                                         "fraction of its speed that the water loses in the bag of a net"};
-inline constexpr KnownOutput kMouthArea{"mouth_area", "m2",
-                                        "share of an element in the area through which water enters a bag"};
+inline constexpr KnownOutput kMouthArea{
+    "mouth_area", "m2", "contribution of an element to the area through which water enters a bag"};
 
 inline constexpr std::array kKnown = {kMass,     kTwineArea, kKnots,       kHalfAngle,
                                       kDrag,     kStrain,    kNormalForce, kGap,

@@ -42,8 +42,7 @@ void check_named(const netloft_parameter& p, const std::string& text, Registry& 
   };
   if (word.name.empty()) refuse(std::string("names no ") + p.unit);
   const NamedComponent named = find_component(word.name, p, registry);
-  if (callers.contains(named.type))
-    refuse("leads back to " + named.type + ", which would call itself without end");
+  if (callers.contains(named.type)) refuse("makes " + named.type + " call itself without end");
   Values values;
   if (const auto prevailing = given.find(named.type); prevailing != given.end()) {
     values = prevailing->second;

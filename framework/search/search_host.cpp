@@ -159,8 +159,8 @@ void SearchHost::record(StageRecord stage, const VariantProblem& variant_problem
 SearchHost::InnerCall::InnerCall(SearchHost& host, const std::string& strategy) : host_(host) {
   if (host.inner_calls_ >= kDeepestCall)
     throw std::invalid_argument(std::to_string(kDeepestCall) +
-                                " strategies are under way, each called by the one " +
-                                "before, the last of them " + strategy + "; does it call itself?");
+                                " strategies have called one another, the last " + strategy +
+                                "; does one of them call itself?");
   ++host.inner_calls_;
 }
 

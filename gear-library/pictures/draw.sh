@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Makes the pictures of this folder again: draw.sh [NETLOFT [FOLDER]]. Results go to a folder of their own and are thrown away.
+# Draws the pictures of this folder again: draw.sh [NETLOFT [FOLDER]]. Results are written to a temporary
+# folder.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -9,7 +10,7 @@ folder=$(realpath "${2:-$here}")
 results=$(mktemp -d)
 trap 'rm -rf "$results"' EXIT
 
-# solve RESULT SCENE OPTIONS…; where that fails, what it said is shown.
+# solve RESULT SCENE OPTIONS…: prints the output of the program only if it fails.
 solve() {
   local result=$results/$1.hdf scene=$here/../scenes/$2.toml
   shift 2

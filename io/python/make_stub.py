@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes _tables.pyi: what type checkers and editors know of the names of a scene, with units and sentences.
+"""Writes _tables.pyi: the names of a scene with units and descriptions, for type checkers and editors.
 
     make_stub.py PROGRAM OUTPUT
 
-It comes from the tables of parameters, as `netloft schema` and `netloft describe` print them, and from what the readers of
-the scenes of the library know of their numbers. PYTHONPATH has the package.
+It comes from the tables of parameters, as `netloft schema` and `netloft describe` print them, and from the numbers in the scenes of the library. PYTHONPATH must contain the package.
 """
 import json
 import keyword
@@ -31,7 +30,7 @@ def asked(program, *words):
 
 
 class Names:
-    """A tree of names: what is known of each, and the names below it."""
+    """A tree of names: the description of each name, and the names below it."""
 
     def __init__(self):
         self.known, self.below, self.kinds = {}, {}, set()
@@ -62,7 +61,7 @@ def keys_of(schema, path=()):
 
 
 def names_of_library(netloft, tables, part):
-    """Adds what readers know of the numbers that scenes of the library state."""
+    """Adds the numbers that scenes of the library state, with their units."""
     from netloft.scene import steps_of
 
     for name in netloft.library():

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Makes the wheel of the package out of a build folder, without a network: a zip file with the package, its plugins, the
-library of gears, and those shared libraries that a system need not have."""
+library of gears, and the shared libraries that systems may lack."""
 import argparse
 import base64
 import hashlib
@@ -32,14 +32,14 @@ LICENCE = "BSD-3-Clause (with MUMPS and Scotch under CeCILL-C, METIS under Apach
 
 
 def libraries_of(module):
-    """The shared libraries that a module needs and a system need not have, by their names."""
+    """The shared libraries that a module needs and systems may lack, by their names."""
     lines = subprocess.run(["ldd", module], check=True, capture_output=True, text=True).stdout
     found = dict(re.findall(r"^\s*(\S+) => (/\S+)", lines, re.M))
     return {name: Path(path) for name, path in found.items() if not OF_THE_SYSTEM.fullmatch(name)}
 
 
 def stage(options, folder):
-    """Lays the package down in a folder, and returns its folder."""
+    """Writes the package into a folder, and returns the folder of the package."""
     subprocess.run([options.cmake, "--install", options.build, "--prefix", folder / "all", "--component", "python"],
                    check=True, stdout=subprocess.DEVNULL)
     package = folder / "netloft"

@@ -90,7 +90,7 @@ class Diagnosis {
   void say_slack() {
     for (const auto& [part, t] : tensions_)
       if (t.largest <= kNone * largest_)
-        sentences_.push_back(fmt::format("{} is slack: nothing pulls at it", name(part)));
+        sentences_.push_back(fmt::format("{} is slack: no force pulls at it", name(part)));
   }
 
   void say_pressed() {
@@ -99,8 +99,8 @@ class Diagnosis {
                                          [&](double T) { return T < -kCounts * largest_; });
       if (pressed)
         sentences_.push_back(
-            fmt::format("{} bears compression in {} of {} elements, up to {:.3g} N: only its stiffness in "
-                        "compression may keep it in this place",
+            fmt::format("{} bears compression in {} of {} elements, up to {:.3g} N: perhaps only its "
+                        "stiffness in compression keeps it in this place",
                         name(part), pressed, t.of_elements.size(), -t.least));
     }
   }

@@ -12,7 +12,7 @@ NETLOFT_PLUGIN("flow", "0.1.0", "Water that a gear changes") {
            nullptr, Momentum::start);
   m.term<Momentum::Thrust, netloft::from_outside | netloft::needs_flow | netloft::reads_current>(
       "thrust", "thrust of the mouth, which the drag of the netting in its reach balances");
-  m.output("mouth_area", "m2", "share of the bar in the area of the mouth across the current",
+  m.output("mouth_area", "m2", "contribution of the bar to the area of the mouth across the current",
            [](auto&, auto&, auto& s) { return Momentum::area(s); });
   m.output("induction", "1", "fraction of the speed that the water loses in the bag",
            [](auto&, auto&, auto& s) { return s.x[2].x; });

@@ -10,14 +10,14 @@ using netloft::Quantity;
 namespace {
 
 constexpr const char* kShielding =
-    "velocity of the water here divided by that ahead of the gear, 1 in open water";
+    "velocity of the water at this place divided by that ahead of the gear; 1 in undisturbed water";
 
 /// Adds the parameter for the source of a cylinder's drag coefficient as a function of the Reynolds number.
 template <class Table>
 void add_cylinder(Table& law, auto member) {
   law.choice("cylinder", member,
-             "source of the drag coefficient of a cylinder over the Reynolds number: Choo and Casarella "
-             "1971, or Takagi et al. 2004, which is lower and steeper below a Reynolds number of 200",
+             "formula of the drag coefficient of a cylinder: Choo and Casarella 1971, or Takagi et al. 2004, "
+             "which is lower and steeper below a Reynolds number of 200",
              {"choo-casarella", "takagi"});
 }
 
@@ -89,7 +89,7 @@ NETLOFT_PLUGIN("hydro", "0.1.0", "Forces of flowing water on twines, ropes and n
          "drag coefficient of the flow along, on the diameter", {.lo = 0, .hi = 100, .fallback = 0.08});
   m.real("shielding", &Morison::Parameters::shielding, "1", kShielding, {.lo = 0, .hi = 2, .fallback = 1});
   m.valid(Quantity::reynolds, 330, 1e5,
-          "Choo and Casarella 1971: a cylinder has 1.2 within 10 % in this range");
+          "Choo and Casarella 1971: the coefficient of a cylinder is 1.2 within 10 % in this range");
 
   auto& r = plugin.law<MorisonReynolds>(
       "morison-reynolds",

@@ -5,7 +5,7 @@ using netloft::lumped::Net;
 
 NETLOFT_PLUGIN("lumped", "0.1.0", "Netting as point masses, springs and dampers") {
   auto& net = plugin.element<Net>(
-      "net", "Bar along the twines of netting that represents several, with masses at its ends");
+      "net", "Bar that represents several parallel twines of netting, with masses at its ends");
   net.real("twine.EA", &Net::Parameters::EA, "N", "axial stiffness of one twine",
            {.lo = 0, .hi = 1e12, .role = netloft::Role::stiffness});
   net.real(

@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the default strategy spends on each gear of the library, over what the best of its attempts spends alone.
+"""The work of the default strategy on each gear of the library, divided by that of the best of its attempts alone.
 
   attempts.py NETLOFT SOURCE_FOLDER [--nodes 1000] [--only TEXT]
 
-Work is counted in Newton iterations of the scene, and includes the judgement of stability. An attempt alone is stopped where it has
-spent as much as the default strategy, because only a cheaper one counts.
+Work is counted in Newton iterations of the scene, and includes the judgement of stability. A single attempt is stopped when it has done as much work as the default strategy, because only cheaper attempts count.
 """
 import argparse
 import json

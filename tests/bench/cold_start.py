@@ -38,7 +38,7 @@ def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--commit", default="HEAD")
     options.add_argument("--second", action="store_true")
-    options.add_argument("--folder", help="where the clone goes and stays (default: a temporary folder)")
+    options.add_argument("--folder", help="folder in which the clone is made and kept (default: a temporary folder)")
     chosen = options.parse_args()
     folder = pathlib.Path(chosen.folder or tempfile.mkdtemp(prefix="netloft-cold-"))
     clone = folder / "netloft"

@@ -2,7 +2,7 @@
 // Compares the derivatives of `netloft sensitivity` with pairs of equilibria on the same mesh topology, and
 // their cost with that of a run. Prints derivatives.md.
 //
-//   bench_derivatives [NUMBERS [SEED]]    numbers that are drawn for each scene (6), seed (1)
+//   bench_derivatives [NUMBERS [SEED]]    number of values drawn for each scene (6), seed (1)
 #include "io/studies/sensitivity/sensitivity.hpp"
 
 #include <algorithm>
@@ -19,9 +19,11 @@
 namespace netloft::studies {
 namespace {
 
-constexpr double kStep = 1e-4;  // step of the central differences, over the number
-constexpr double kSame = 1e-4;  // pairs agree within this fraction of the largest effect on the figure
-constexpr std::size_t kFrozenPairs = 25;  // pairs of each scene among which nothing switches
+constexpr double kStep = 1e-4;  // step of the central differences, as a fraction of the number
+constexpr double kSame = 1e-4;  // two equilibria agree within this fraction of the largest effect on the
+                                // figure
+constexpr std::size_t kFrozenPairs = 25;  // number of pairs in each scene between which no member or contact
+                                          // switches
 
 /// The scenes, and whether each has a net plan, whose number of nodes can be chosen.
 constexpr std::pair<const char*, bool> kScenes[] = {
@@ -54,7 +56,8 @@ struct AtRest {
   results::Result result;
 };
 
-/// The figures of the equilibrium at another value of a number, on the mesh of `at`; none without one.
+/// The figures of the equilibrium at another value of a number, on the mesh of `at`; empty if there is no
+/// equilibrium.
 std::vector<results::NamedScalar> figures_beside(const AtRest& at, const SceneNumber& number, double value) {
   runs::CaseSource source = at.scene.source();
   formats::append(source.changes, number.to(value));
@@ -67,7 +70,7 @@ std::vector<results::NamedScalar> figures_beside(const AtRest& at, const SceneNu
 
 struct Pairs {
   int all = 0, good = 0, marked = 0, lost = 0;
-  double worst = 0;       // largest difference of a pair that is not marked
+  double worst = 0;       // largest difference in a pair that is not marked
   std::string worst_one;  // its number
 };
 
@@ -95,7 +98,7 @@ double largest_effect(const Sensitivities& found, std::size_t f) {
   return largest;
 }
 
-/// Adds the pairs of one number and the chosen figures.
+/// Adds the results for one number and the chosen figures.
 void compare(const AtRest& at, const Sensitivities& found, const NumberEffect& effect,
              const std::vector<std::size_t>& figures, Pairs& pairs) {
   const double p = effect.number.value, h = kStep * std::abs(p);
@@ -138,10 +141,11 @@ Pairs compare(const char* name, bool has_plan, std::size_t count, unsigned seed)
 
 // ---------------------------------------------------------------- nothing switches
 
-/// Steps of the differences between equilibria among which nothing switches, over the number.
+/// Steps of differences between equilibria between which nothing switches, as fractions of the number.
 constexpr double kFrozenSteps[] = {1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6};
 
-/// Errors of derivatives against equilibria, as fractions of the largest effect on the figure.
+/// Errors of derivatives found by differences of equilibria, as fractions of the largest effect on the
+/// figure.
 struct Errors {
   struct One {
     double error = 0, known_to = 0;  // known_to: the error of the equilibria
@@ -165,8 +169,8 @@ std::vector<bool> sides(const Switches& at) {
   return below;
 }
 
-/// The value of figure `f` at the equilibrium next to that of `at`; NaN without one, or if anything is taut
-/// or touches the ground in one of them alone.
+/// The value of figure `f` at the equilibrium for a changed number; NaN if there is no equilibrium, or if a
+/// member that is taut or a node that touches the ground differs from `at`.
 double figure_nearby(AtRest& at, const SceneNumber& number, double value, std::size_t f) {
   runs::CaseSource source = at.scene.source();
   formats::append(source.changes, number.to(value));
@@ -183,7 +187,8 @@ double figure_nearby(AtRest& at, const SceneNumber& number, double value, std::s
   return all_figures(results::make_result(beside.loaded(), beside.assembler(), s))[f].value;
 }
 
-/// The derivative of figure `f` by four equilibria, to the fourth order of the step; NaN without them.
+/// The derivative of figure `f` by four equilibria, with an error of the fourth order of the step; NaN if one
+/// of them is missing.
 double by_frozen_equilibria(AtRest& at, const SceneNumber& number, std::size_t f, double h) {
   const auto change = [&](int k) {
     return figure_nearby(at, number, number.value + k * h, f) -
@@ -192,8 +197,8 @@ double by_frozen_equilibria(AtRest& at, const SceneNumber& number, std::size_t f
   return (8 * change(1) - change(2)) / (12 * h);
 }
 
-/// The same by the two steps in succession whose results differ least: longer ones have the larger error of
-/// truncation, shorter ones that of rounding. Their difference is the error.
+/// The derivative by the two successive steps whose results differ least: longer steps have a larger error of
+/// truncation, shorter steps one of rounding. The error is the difference of the two results.
 struct Known {
   double slope = NAN, error = INFINITY;
 };
@@ -270,7 +275,7 @@ void print_frozen(std::size_t pairs, unsigned seed) {
 }
 
 /// The processor time of the derivatives of all figures with respect to the first `count` numbers of the
-/// 83-112 at sea with 2000 nodes, over that of reading and solving it; the median of five pairs.
+/// 83-112 at sea with 2000 nodes, divided by the time to read and solve the scene; the median of five pairs.
 double cost(std::size_t count) {
   std::vector<double> ratios;
   for (int i = 0; i < 5; ++i) {

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measures how fast a shape follows a number that is moved, as `netloft serve` answers programs and pages.
+"""Measures the time from the change of a number to the new shape, as `netloft serve` sends it to programs and pages.
 
     design.py NETLOFT GEAR_LIBRARY [--nodes 500 2000] [--steps 40] [--step 0.05] [--threads 1]
 
@@ -52,7 +52,7 @@ class Design:
         self.stream = self.events.getresponse()
 
     def solved(self):
-        """The next outcome that is announced."""
+        """The next outcome that the program reports."""
         name = b""
         while True:
             line = self.stream.readline()
@@ -95,7 +95,7 @@ def measure(program, scene, paths, nodes, options, folder):
     for i in range(options.steps):
         path = paths[i % len(paths)]
         tangents.append(design.ask("jvp", path=path)[1])
-        # up, back, down, back: every answer is a step from an equilibrium
+        # cycle: up, back, down, back; every answer is one step from an equilibrium
         to = start[path] * (1 + options.step * (1, 0, -1, 0)[(i // len(paths)) % 4])
         outcomes, soon, late = design.move(path, to)
         moved = moved or design.since_start()

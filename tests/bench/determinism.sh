@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Runs the suite of hard cases with one thread, with two, and beside processes that keep the machine busy, and compares stages and
-# answers of every case, but for times.
+# Runs the suite of hard cases with one thread, with two, and while other processes keep the machine busy.
+# Compares the stages and answers of every case, except times.
 #
 #   determinism.sh HARD_CASES SUITE [WORDS OF HARD_CASES…]
 #
@@ -15,7 +15,7 @@ busy=
 trap 'for process in $busy; do kill "$process"; done; rm -r "$folder"' EXIT
 trap 'exit 1' INT TERM HUP  # sh runs the trap of EXIT after a signal only where it has one of its own
 
-# 3: not all of it is right, which is no matter here.
+# Exit code 3 means that some cases fail, which does not matter here.
 run() {
   out=$1
   shift

@@ -104,7 +104,7 @@ def main():
     words.add_argument("--scenes", default=",".join(WATCHED))
     words.add_argument("--schemes", default="|".join(SCHEMES))
     words.add_argument("--accuracies", default="1e-1,1e-2,1e-3,1e-4")
-    words.add_argument("--seconds", type=float, default=120, help="of processor time, after which a run is given up")
+    words.add_argument("--seconds", type=float, default=120, help="limit of processor time for a run")
     asked = words.parse_args()
     accuracies = asked.accuracies.split(",")
     schemes = asked.schemes.split("|")

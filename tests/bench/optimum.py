@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Optimises the 83-112 in the flume tank at 3 knots, from several starts, and prints what comes of it.
+"""Optimises the 83-112 in the flume tank at 3 knots, from several starts, and prints the results.
 
     optimum.py NETLOFT LIBRARY [--nodes 1000] [--starts 5]
 
@@ -29,7 +29,7 @@ def mesh_of(panel):
 
 
 class Variable:
-    """A number of the scene: its path, what it is at the start, its range and its unit; texts that have to be set before."""
+    """A number of the scene: its path, its value at the start, its range and its unit, and texts that must be set before it."""
 
     def __init__(self, name, path, start, low, high, unit, needs=()):
         self.name, self.path, self.start, self.low, self.high, self.unit, self.needs = name, path, start, low, high, unit, list(needs)
@@ -84,7 +84,7 @@ class Bench:
         return (json.loads(out.stdout) if out.stdout else None), out.stderr
 
     def allowed(self, variables, tensions):
-        """The variables that are not refused, and those that are: an error stands at the table of its variable."""
+        """The accepted and the refused variables; an error names the table of its variable."""
         text = self.text(variables, [v.start for v in variables], tensions).splitlines()
         _, said = self.optimise("allowed", variables, [v.start for v in variables], tensions)
         wrong = {text[int(line) - 1] for line in re.findall(r"^allowed\.toml:(\d+):\d+: error", said, re.MULTILINE)}
@@ -110,7 +110,7 @@ HEAD = "| start | answer | solves | remainder | drag [kN] | less than now |\n|--
 
 
 def spread(found, variables):
-    """How far the optima lie apart: of each variable, as a fraction of its range."""
+    """The spread of the optima: for each variable, as a fraction of its range."""
     answers = [f for f in found if f and f["status"] == "optimal"]
     for k, v in enumerate(variables):
         values = [f["variables"][k]["after"] for f in answers]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // bench_outputs [FOLDER]: the cost of writing an output of a motion to the disk, the result at the end
-// included, and the number of system calls that read or write. For comparison it measures the simplest other
+// included, and the number of system calls that read or write. For comparison, it measures the simplest other
 // way in which outputs survive a kill: an HDF5 file that is flushed at every output.
 #include "io/formats/hdf5/fold.hpp"
 #include "io/formats/hdf5/result_file.hpp"
@@ -18,7 +18,7 @@ namespace {
 using namespace netloft;
 using Clock = std::chrono::steady_clock;
 
-/// The size of a result: that of a rope has few nodes, that of netting many.
+/// A gear of a given size: a rope has few nodes, netting has many.
 struct Gear {
   const char* name;
   std::size_t nodes, cells, outputs;

@@ -1,11 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Does the time to read a scene grow as the scene does?
+"""Measures whether the time to read a scene is proportional to its size.
 
     reading.py PROGRAM [--kinds ropes,floats,…] [--most 100000] [--seconds 1000] [--check 20]
 
-For each kind, `netloft plan` reads scenes of 10, 100, … such things. The table has the processor time of the whole program, the
-time for each thing once the start of the program is taken off, and the ratio to the scene of a tenth. With --check
+For each kind of object, `netloft plan` reads scenes with 10, 100, … of them. The table has the processor time of the whole program, the time for each object without the start of the program, and its ratio to that in a scene with a tenth of the objects. With --check
 the exit code is 1 if the last of these ratios is larger than that.
 """
 import argparse
@@ -52,14 +51,14 @@ def floats(n):
 
 
 def points(n):
-    """Floats that are held, each by a hold of its own."""
+    """Floats, each held by a separate hold."""
     for i in range(n):
         yield f'[parts.f{i}]\ntype = "float/float"\nat = [{i}, 0, 0]\n{FLOAT}'
         yield hold(f'"f{i}"')
 
 
 def bundle(n):
-    """Ropes whose ends are one point."""
+    """Ropes whose ends are joined in one point."""
     yield from (rope(f"r{i}", 1, 0) for i in range(n))
     yield f"[[join]]\npoints = {listed(f'r{i}.start' for i in range(n))}"
     yield hold('"r0.start"')
@@ -82,14 +81,14 @@ def bodies(n):
 
 
 def beds(n):
-    """Nodes of one rope, each on a bed of its own, and each bed another plane."""
+    """Nodes of one rope, each on a separate bed; all beds are different planes."""
     yield rope("r", n, 0)
     yield from (f'[parts.b{i}]\ntype = "seabed/plane"\non = "r.node-{i}"\nseabed = {{ depth = {50 + i / n}, stiffness = 1e5 }}' for i in range(n))
     yield hold('["r.start", "r.end"]')
 
 
 def laws(n):
-    """Ropes in a current, each with a law of its own."""
+    """Ropes in a current, each with a different law."""
     yield "[water]\ncurrent = [1, 0, 0]"
     for i in range(n):
         yield rope(f"r{i}", 1, 10 * i) + f'\ndrag = {{ law = "hydro/morison", normal = {1 + i / n} }}'
@@ -151,7 +150,7 @@ KINDS = {kind.__name__: kind for kind in (
 
 
 def write(folder, lines):
-    """A scene that includes files of a size that may be read; the last has what may stand once alone."""
+    """A scene that includes files of the allowed size; the last one contains the tables that may appear only once."""
     lines = list(lines)
     names = []
     for begin in range(0, len(lines), LINES_OF_A_FILE):
@@ -179,7 +178,7 @@ def main():
     options.add_argument("program")
     options.add_argument("--kinds", default=",".join(KINDS))
     options.add_argument("--most", type=int, default=100000)
-    options.add_argument("--seconds", type=float, default=1000, help="no scene that will take longer, by the one of a tenth")
+    options.add_argument("--seconds", type=float, default=1000, help="leave out scenes that would take longer, judged by the scene with a tenth of the objects")
     options.add_argument("--check", type=float, default=0)
     arguments = options.parse_args()
     program, is_linear = os.path.abspath(arguments.program), True

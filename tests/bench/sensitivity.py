@@ -112,7 +112,7 @@ def note(base, *others):
     """Returns in a few words what changes of a number do to the results."""
     tried = [o for o in others if o]
     if not tried:
-        return "not scaled: its double and its half are the default"
+        return "not scaled, because its double and its half are the default"
     if all(o.cells == base.cells for o in tried):
         return "**changes nothing**"
     if all(o.verdict() == base.verdict() and abs(o.work - base.work) <= LITTLE * base.work for o in tried):
@@ -122,16 +122,16 @@ def note(base, *others):
 
 def parse(arguments):
     p = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    p.add_argument("netloft", help="the program; hard_cases stands beside it")
+    p.add_argument("netloft", help="the program; hard_cases must be in the same folder")
     p.add_argument("suite", help="folder of the suite: tests/stability")
-    p.add_argument("--seed", type=int, required=True, help="a seed that nothing was chosen by")
-    p.add_argument("--of", action="append", help="component whose numbers are changed; the strategy that is run, what it calls, or its solver; may be repeated")
+    p.add_argument("--seed", type=int, required=True, help="a seed with which no parameter was chosen")
+    p.add_argument("--of", action="append", help="component whose numbers are changed: the strategy, a strategy that it calls, or its solver; may be repeated")
     p.add_argument("--strategy", default="auto", help="strategy that is run")
     p.add_argument("--size", default="small")
     p.add_argument("--case", help="only cases whose name contains this")
     p.add_argument("--work", type=float, help="for one case, in factorisations")
     p.add_argument("--seconds-per-case", type=float)
-    p.add_argument("--jobs", type=int, default=1, help="runs at a time; budgets in seconds want one")
+    p.add_argument("--jobs", type=int, default=1, help="number of runs at a time; use one with budgets in seconds")
     words = p.parse_args(arguments)
     words.of = words.of or [words.strategy]
     words.hard_cases = Path(shutil.which(words.netloft) or words.netloft).with_name("hard_cases")

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether the default strategy ends at the shape of least energy where bending or opening of meshes bears loads.
+"""Tests whether the default strategy finds the shape of least energy if loads are borne by bending or by the opening of meshes.
 
   shapes.py HARD_CASES [--before HARD_CASES] [--seed 1] [--count 24]
 
-Draws scenes of netting and ropes that resist bending, and spoilt starts, and solves each by the default strategy and by every one of its
+Draws scenes of netting and ropes that resist bending, and disturbed starts, and solves each by the default strategy and by every one of its
 attempts alone. Energies are compared with the least of a scene. --before is the program of another version, for its default strategy.
 """
 import argparse

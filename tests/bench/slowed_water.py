@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What it costs to let a net slow its water: gears of the library with [flow] type = "flow/momentum" beside undisturbed water.
+"""Measures the cost of water that is slowed by a net: gears of the library with [flow] type = "flow/momentum" beside undisturbed water.
 
     slowed_water.py NETLOFT LIBRARY [--times 3] [--nodes N] [--only PART]
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the default strategy spends on fixed scenes: iterations and factorisations by stage, and the work of the whole search.
+"""Counts the work of the default strategy on fixed scenes: iterations and factorisations by stage, and the work of the whole search.
 
   stage_counts.py NETLOFT SOURCE_FOLDER [--check PAGE.md] [--only PART]
 
 Counts depend on neither load nor clock, but on last digits, and so on the processor. Each scene is therefore solved five times,
 with one number changed by up to 0.2 %, and the table has the median, the least and the most. --check compares with a table that
-this script printed. It fails where a median, of the work of a scene or of the factorisations of its own mesh, is a quarter above
+this script printed. It fails if a median, of the work of a scene or of the factorisations on its own mesh, is a quarter above
 the most of the table, and where the medians of all scenes have grown by a quarter on average.
 """
 import argparse

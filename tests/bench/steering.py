@@ -25,7 +25,8 @@ framework/balance/work.*
 framework/search/running_search.* framework/search/search_host.*
 framework/search/known_stages.* framework/search/shapes.* framework/include/netloft/strategy.hpp
 framework/include/netloft/imbalance.hpp framework/include/netloft/scatter.hpp""".split()
-# Options that do not influence `auto`, by file: none but those of ONLY in files that ONLY names.
+# For each file, its options that do not influence `auto`. In files that ONLY names, only the options in ONLY
+# influence it.
 NOT_ITS_OWN = {
     "io/scenes/reading/keys.cpp": None,
 }
@@ -40,20 +41,20 @@ EXPLAINED = {  # names of constants, fragments of lines
         "epsilon()": "multiples of the rounding of a double",
         "kEnergyRoundOff": "rounding of a sum of many terms",
         "kLeastRemainder": "orthogonalised twice is enough (Parlett)",
-        "kAsManyAsItTakes": "none: the budget of work ends it",
+        "kAsManyAsItTakes": "no influence, because the budget of work ends the search first",
         "1e-14": "eigenvalues of a small tridiagonal matrix, to rounding",
         "high = low * (1 + 1e-12)": "eigenvalues of a small tridiagonal matrix, to rounding",
         **dict.fromkeys(("kLightest", "kSolved"), "half of the digits of a double"),
         "kShortest": "half of the digits of a double",
         **dict.fromkeys(("kShortestStep", "kLongestStep"), "half of the digits of a double, and all of them"),
         "kDifference": "a quarter of the digits of a double",
-        "kRoundingOfMatrix": "what a matrix that is assembled from many elements may round off",
-        "kNeutral": "what a matrix that is assembled from many elements may round off",
-        "kRounding": "what a matrix that is assembled from many elements may round off",
+        "kRoundingOfMatrix": "rounding error of a matrix that is assembled from many elements",
+        "kNeutral": "rounding error of a matrix that is assembled from many elements",
+        "kRounding": "rounding error of a matrix that is assembled from many elements",
         "round < 3": "inverse iteration next to an eigenvalue converges at once",
     },
     "formula": {
-        **dict.fromkeys(("kGolden", "kSilver"), "fractions of its multiples, which no symmetry survives"),
+        **dict.fromkeys(("kGolden", "kSilver"), "fractional parts of its multiples, which break every symmetry"),
         "2 * (multiple": "a fraction in [−1, 1]",
         **dict.fromkeys(("kLargestRate", "kWantedRate"), "stability limit of central differences, and half of it"),
         "0.5 * std::max(m, least)": "Gershgorin's bound",
@@ -77,7 +78,7 @@ EXPLAINED = {  # names of constants, fragments of lines
         "2 * kSteps": "as many again",
         "2 * corrections": "half of them",
         "sigma > kLeastSigma / 2": "between two steps",
-        "kOtherSigma": "any other will do: an eigenvalue is met by chance",
+        "kOtherSigma": "any other number would do: it hits an eigenvalue only by chance",
         "rhs_ *= 2": "Cayley transform",
         "Vector z(2": "positions and velocities",
         "0.5 * (A[": "symmetric part",

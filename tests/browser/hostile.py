@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""hostile.py RESULT COPY: a copy of a result whose names and texts a careless page would run."""
+"""hostile.py RESULT COPY: makes a copy of a result, with names and texts that a careless page would execute as scripts."""
 import shutil
 import sys
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# run.sh                 tests of pages in a real browser; exits 77 with a sentence where something is missing
-# run.sh time NODES…     how long pages of gears with about as many nodes take to open
-# NETLOFT_PROGRAM names the program, NETLOFT_BROWSER_FOLDER where its own files go.
+# run.sh tests of pages in a real browser; exits 77 with a sentence if something that it needs is missing
+# run.sh time NODES… how long pages of gears with about as many nodes take to open NETLOFT_PROGRAM is the
+# program, NETLOFT_BROWSER_FOLDER the folder for the files of the tests.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -23,7 +23,7 @@ main() {
   fi
 }
 
-# Where tests in a browser are required, what is missing is a failure.
+# If tests in a browser are required, a missing program or file is a failure.
 skip() {
   echo "pages are not tested in a browser: $1"
   [[ ${NETLOFT_BROWSER_TESTS-} != required ]] || exit 1
@@ -37,7 +37,7 @@ need_tools() {
   export NETLOFT_BROWSER
 }
 
-# The packages of package.json, once, beside copies of the scripts that import them.
+# Installs the packages of package.json once, beside copies of the scripts that import them.
 install_packages() {
   mkdir -p "$work"
   cp "$here"/*.mjs "$here"/package.json "$here"/package-lock.json "$work"
@@ -45,7 +45,7 @@ install_packages() {
   (cd "$work" && npm ci --ignore-scripts --no-audit --no-fund >npm.log 2>&1) || skip "npm could not install what is needed: $(tail -n 1 "$work/npm.log")"
 }
 
-# The committed libraries are what their sums say, and what their sources give again.
+# Checks that the committed libraries have their checksums, and that their sources give the same files again.
 check_libraries() {
   local libraries=$root/io/pictures/view/libraries again=$work/libraries
   (cd "$libraries" && sha256sum --check --quiet SHA256SUMS) || exit 1
@@ -56,7 +56,7 @@ check_libraries() {
   cmp "$libraries/SHA256SUMS" "$again/SHA256SUMS" || { echo 'libraries.js is not what its sources give' && exit 1; }
 }
 
-# solve NAME SCENE OPTIONS…: a result, unless this program has made it already.
+# solve NAME SCENE OPTIONS…: computes a result unless this program has already computed it.
 solve() {
   local name=$1
   shift

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the program answers to a file that may be anything, with the processor time and the memory that it took."""
+"""The answer of the program to an arbitrary file, with its processor time and memory."""
 import os
 import re
 import resource

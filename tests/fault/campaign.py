@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shows that no result is lost, and that files of others do no harm; counts what does.
+"""Tests that no result is lost and that files of other people do no harm; counts losses and harm.
 
     campaign.py NETLOFT SOURCE_FOLDER FULL_DISK.so [--kills 60] [--minutes M] [--writes 12] [--mutants 100] [--moments 10] [--others]
                 [--seed 1] [--only WORD] [--table FILE]
@@ -43,11 +43,11 @@ TRIES_PER_TABLE = 50  # kept after so many: a minute or so
 
 
 class Harm(Exception):
-    """How the fault harmed, by one of HARMS, and what was seen."""
+    """The kind of harm, one of HARMS, and a description."""
 
 
 def numbers_of(file):
-    """Every number of a result but what tells of time, machine and interruptions."""
+    """Every number of a result except those about time, machine and interruptions."""
     found = {}
     with h5py.File(file) as f:
         def add(name, item):
@@ -82,7 +82,7 @@ class Program:
 
 
 class Case:
-    """A command in a folder; subclasses say what was there before and what must be there after a fault."""
+    """A command in a folder; subclasses define the files before it and those that must exist after a fault."""
 
     writes = True
 
@@ -93,13 +93,13 @@ class Case:
         """Fills the folder, as it is before each try."""
 
     def observe(self, folder):
-        """What is confirmed, the instant before a kill."""
+        """The data that are confirmed just before a kill."""
 
     def judge(self, folder, confirmed, ran_twice=False):
         """Raises Harm unless all is well after a fault."""
 
     def learn(self, folder):
-        """Looks at what a run without faults leaves; returns how long it takes."""
+        """Checks the files after a run without faults; returns its duration."""
         self.prepare(folder)
         self.program.succeed(self.words, folder)
         begun = time.monotonic()
@@ -108,7 +108,7 @@ class Case:
 
 
 class Result(Case):
-    """`run` of an equilibrium, where an earlier result of another one is in its place."""
+    """`run` of an equilibrium, whose result file already exists, from another run."""
 
     def __init__(self, name, words, earlier, program):
         super().__init__(name, words, program)
@@ -163,7 +163,7 @@ class Motion(Case):
         return seconds
 
     def cut(self, part):
-        """A kill in the middle of an output: what is behind the last whole one is its remainder."""
+        """A kill in the middle of an output: after the last whole output, the file has a part of the next one."""
         whole = part.read_bytes()
         content = whole[:int(len(whole) * self.from_outputs / len(self.series["time"]))]
         part.write_bytes(content)
@@ -223,7 +223,7 @@ def fill(folder, files):
 
 
 class Items(Case):
-    """`study run`, where some items have been computed before; tables show what the records hold."""
+    """`study run`, in a folder in which some items have been computed; tables show the data of the records."""
 
     TABLES = ("table.csv", "table.hdf")
 
@@ -355,9 +355,7 @@ def has_ended(run, seconds):
 
 
 class Kill:
-    """Signals at random instants of a command. How long it takes depends on what else the machine does, and the machine may
-    stop it for minutes: each run that ends before its kill says it anew and is tried again, and each kill that hits draws
-    later ones from a longer time, so that the end of the command stays within reach."""
+    """Signals at random instants of a command. Its duration depends on the load of the machine, which may stop it for minutes: each run that ends before its kill sets the estimated duration and is repeated, and each successful kill increases it, so that the end of the command stays within reach."""
 
     LONGER = 1.05
 
@@ -381,7 +379,8 @@ class Kill:
             code = run.wait(timeout=3600)
             said.seek(0)
             words = said.read().decode("utf-8", "replace")
-        # A signal that comes before the program has begun to hear them ends it; one that comes last finds its work done.
+        # A signal that arrives before the program handles signals ends it; after the end of its work, a
+        # signal has no effect.
         if code != -self.number and (code != INTERRUPTED or self.number == signal.SIGKILL):
             if code not in (0, 3):
                 raise Harm("without a word", f"exit {code} after signal {self.number}: {words.strip()}")
@@ -406,7 +405,7 @@ def deed_tries(case, most, rng):
 
 
 def counts_of(case, folder):
-    """Writes, and deeds of all kinds. Of a pool of workers the last one to end counts, which may write nothing."""
+    """Numbers of writes and of all counted system calls. In a pool of workers, those of the last worker count, which may write nothing."""
     case.prepare(folder)
     count = folder / "count"
     case.program.run(case.words, folder, {"FAIL_WRITE": 0, "COUNT_FILE": count})
@@ -424,7 +423,7 @@ def full_disk_tries(case, most, rng):
         case.prepare(folder)
         ended = case.program.run(case.words, folder, {"FAIL_WRITE": number})
         if ended.returncode == 0:
-            raise Harm("silently wrong", f"write {number} of {writes} failed, and it says that all is well")
+            raise Harm("silently wrong", f"write {number} of {writes} failed, but the command reports success")
         if "No space left on device" not in ended.stderr:
             raise Harm("without a word", f"write {number} of {writes}: {ended.stderr.strip()}")
         case.judge(folder, None)
@@ -433,7 +432,7 @@ def full_disk_tries(case, most, rng):
 
 
 def oddity_tries(case, faults):
-    """Faults that a program has to live with: it succeeds all the same."""
+    """Faults in spite of which the program must succeed."""
     def attempt(folder):
         case.prepare(folder)
         ended = case.program.run(case.words, folder, faults)
@@ -449,7 +448,7 @@ def protect(folder, mode_of_folders, mode_of_files):
 
 
 def read_only_tries(case):
-    """A folder in which nobody may make a file."""
+    """A folder in which no file can be created."""
     def attempt(folder):
         case.prepare(folder)
         protect(folder, 0o555, 0o444)
@@ -552,7 +551,7 @@ def try_faults(words, case, seconds, tally, rng):
 
 
 def kill_all(words, cases, seconds, tally, rng):
-    """In turns, so that an end before all kills are done leaves as many of each command."""
+    """Takes turns, so that each command has had as many kills if the campaign ends early."""
     end = time.monotonic() + 60 * words.minutes
     kills = [(fault, Kill(case, seconds[case.name], rng, number)) for fault, number in SIGNALS.items() for case in cases]
     for number in range(words.kills):
@@ -594,12 +593,12 @@ def parse(arguments):
     p.add_argument("--kills", type=int, default=60, help="kills in all")
     p.add_argument("--minutes", type=float, default=1e6, help="no more kills after these")
     p.add_argument("--seed", type=int, default=1)
-    p.add_argument("--writes", type=int, default=12, help="at most so many writes of a command that fail in turn")
+    p.add_argument("--writes", type=int, default=12, help="largest number of writes of a command that are made to fail, one after another")
     p.add_argument("--mutants", type=int, default=100, help="inputs with changes at random")
     p.add_argument("--moments", type=int, default=10, help="interruptions of runs of large scenes")
     p.add_argument("--others", action="store_true", help="every command on each hostile file")
     p.add_argument("--table", type=Path, help="a file that holds the tables of what has been tried so far")
-    p.add_argument("--only", default="", help="of kills and faults only those of commands whose name contains this")
+    p.add_argument("--only", default="", help="only kills and faults of commands whose name contains this")
     words = p.parse_args(arguments)
     words.netloft, words.source, words.library = (os.path.abspath(path) for path in (words.netloft, words.source, words.library))
     return words
@@ -613,7 +612,7 @@ def main(arguments):
         try_all(words, [case for case in cases if words.only in case.name], tally)
         try_files_of_others(words, program, tally)
     except KeyboardInterrupt:
-        print("interrupted: the counts are of what was tried until then", file=sys.stderr)
+        print("interrupted: the tables count all tries until then", file=sys.stderr)
     finally:
         print(tally.tables(), flush=True)
     return 0 if tally.is_clean() else 1

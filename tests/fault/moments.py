@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Interrupts a run of a large scene at random moments: it ends within a second of its own time, and loses nothing."""
+"""Interrupts a run of a large scene at random moments: it must end within a second of processor time, and lose nothing."""
 import importlib.util
 import os
 import random
@@ -31,7 +31,7 @@ def has_ended(process):
 
 
 class Moments:
-    """One scene, run again and again. `kind`: of tests/bench/reading.py."""
+    """One scene, run repeatedly. `kind`: one of tests/bench/reading.py."""
 
     def __init__(self, netloft, source, kind, number, folder):
         self.netloft, self.name, self.folder = netloft, f"{number} {kind}", folder
@@ -60,7 +60,7 @@ class Moments:
         return usage.ru_utime + usage.ru_stime, process.returncode
 
     def phase(self):
-        """What is under way, by what the files and the program say."""
+        """The present stage of the run, as shown by its files and messages."""
         part = self.folder / "o.hdf.part"
         if not part.exists():
             return "reading"
@@ -97,7 +97,7 @@ class Moments:
                   file=sys.stderr, flush=True)
 
     def harm(self):
-        """What was there is there, under its name or as a backup; a new result is whole."""
+        """Checks that earlier files exist under their names or as backups, and that a new result is complete."""
         result, backup = self.folder / "o.hdf", self.folder / "o.hdf~"
         if not result.exists():
             return "no o.hdf"
@@ -119,7 +119,7 @@ def cells(row):
 
 
 def try_moments(number, seed, netloft, source, folder, kinds=(("floats", 30000), ("ropes", 30000))):
-    """A table, the number of tries, and that of those that ended otherwise than they should."""
+    """A table, the number of tries, and the number of wrong ends."""
     rng = random.Random(seed)
     lines = ["| " + " | ".join(HEADS) + " |", "|---" * len(HEADS) + "|"]
     tries = wrong = 0

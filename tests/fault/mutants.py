@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Good inputs with a few changes at random: every command that reads them gives an answer."""
+"""Good inputs with a few random changes: every command that reads them must give an answer."""
 import json
 import random
 import re
@@ -52,7 +52,7 @@ def repeat(rng, lines):
 
 
 def renumber(rng, data):
-    """Another magnitude of a number, or a number that is none."""
+    """A number of another magnitude, or a text that is not a number."""
     numbers = list(NUMBER.finditer(data))
     if not numbers:
         return flip(rng, data)
@@ -86,7 +86,7 @@ def mutant(rng, data, changes):
 
 
 def unsealed(content):
-    """A result without its checksums, so that HDF5 meets what is wrong."""
+    """A result without its checksums, so that HDF5 reads the changed bytes."""
     return content[:content.rindex(b"netloft checksums 1\n")]
 
 
@@ -108,7 +108,7 @@ class Kind:
         self.name, self.goods, self.changes, self.commands, self.seal = name, goods, changes, commands, seal
 
     def keep_what_is_good(self, netloft, folder):
-        """Changes of what is refused anyway would say nothing."""
+        """Keeps only inputs that are accepted unchanged, because changes of refused ones would show nothing."""
         self.goods = [good for good in self.goods if self.is_good(*good, netloft, folder)]
         if not self.goods:
             raise ValueError(f"there is no good {self.name}")
@@ -137,7 +137,7 @@ class Kind:
 
 
 def seal_record(content):
-    """Right checksums: whoever makes a file can make those."""
+    """Corrects the checksums, as the author of a hostile file could."""
     return others.sealed_record(content.rsplit(b"crc32 ", 1)[0])
 
 
@@ -195,7 +195,7 @@ def make_kinds(source, program, folder):
 
 
 class Count:
-    """What came of the mutants of a kind: exit codes, and what was wrong."""
+    """Results of the mutants of one kind: exit codes and faults."""
 
     def __init__(self):
         self.codes, self.short_of_memory, self.with_a_line, self.wrongs = dict.fromkeys(CODES, 0), 0, 0, dict.fromkeys(WRONGS, 0)
@@ -223,7 +223,7 @@ def table_of(counts):
 
 
 def try_mutants(number, seed, netloft, source, program, folder, kept):
-    """A table, and how many were answered wrongly; those are left in the folder `kept`."""
+    """A table and the number of wrong answers; these inputs are kept in the folder `kept`."""
     kinds, wrong = make_kinds(source, program, folder), 0
     for kind in kinds:
         kind.keep_what_is_good(netloft, folder)

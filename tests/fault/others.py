@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every command that reads a file of somebody else, on each hostile file of its kind, and on what is no file."""
+"""Every command that reads files of other people, on each hostile file of its kind, and on folders, pipes and devices."""
 import os
 import re
 import shutil
@@ -12,7 +12,8 @@ from answer import Answer
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
 import files_of_others as others
 
-# Commands that read no file of others: plugins are trusted, and parts of the catalogue are the user's own.
+# Commands that read no files written by other people: plugins are trusted, and parts of the catalogue are the
+# user's own.
 READ_NONE = {"list", "describe", "schema", "catalogue", "test", "new", "study"}
 NO_FILES = {"pipe": "../pipe", "link to a pipe": "link", "device": "/dev/zero", "folder": "empty"}
 STUDY = """\
@@ -45,7 +46,7 @@ unit = "m"
 
 
 class Ground:
-    """A folder `work` of a user, beside which lie files of which none may be read, shown or changed."""
+    """A folder `work` of a user, beside files that must not be read, shown or changed."""
 
     def __init__(self, netloft, source, program, outer):
         self.netloft, self.source, self.program, self.outer, self.work = netloft, source, program, outer, outer / "work"
@@ -64,7 +65,7 @@ class Ground:
         return {str(p.relative_to(self.outer)): p.read_bytes() for p in self.outer.rglob("*") if p.is_file() and not p.is_symlink()}
 
     def ask(self, words, writes, refuses=False):
-        """The cell of a table: an exit code, or what was wrong. `refuses`: a good answer is wrong, too."""
+        """The cell of a table: an exit code or a fault. `refuses`: a good answer is wrong, too."""
         before = self.everything()
         answer = Answer(self.netloft, words, self.work, {"PATH": f"{self.outer}:{os.environ['PATH']}"})
         wrongs = answer.wrongs()
@@ -113,7 +114,7 @@ class Table:
 
 
 def spoken(words, name):
-    """A command without names of files, which would make each a row of its own."""
+    """A command without names of files, so that equal commands share a row."""
     return " ".join(word.replace(name, "FILE") for word in words)
 
 
@@ -132,7 +133,7 @@ def ask_results(ground):
 
 
 def ask_journals(ground):
-    """What a killed run may have left, and journals whose inputs lead elsewhere."""
+    """Files that a killed run may leave, and journals whose inputs refer to other files."""
     table = Table("command on a journal")
     motion = ["run", str(ground.source / "gear-library/scenes/dynamics/released-rope.toml"), "--set", "analysis.duration=2", "--set",
               "analysis.output_interval=0.5", "--set", "parts.rope.cells=4", "-o", "r.hdf"]
@@ -195,7 +196,7 @@ def ask_studies(ground):
 
 
 def commands_on_inputs(ground):
-    """Words, with FILE for what is to be read, and files made to lead to FILE."""
+    """Words of a command, with FILE for the file that it reads, and files that refer to FILE."""
     made = {"included.toml": 'include = ["FILE"]\n', "mesh.toml": ground.mesh_scene,
             "parts.toml": 'catalogue = ["FILE"]\n' + (ground.work / "scene.toml").read_text(),
             "of.toml": STUDY.replace("scene.toml", "FILE"), "cal.toml": CALIBRATION, "best.toml": OPTIMUM}
@@ -234,7 +235,7 @@ def ask_inputs(ground):
 
 
 def ask_all(netloft, source, program, outer):
-    """Tables, the number of questions, and that of wrong answers."""
+    """Tables, the number of commands, and the number of wrong answers."""
     ground = Ground(netloft, source, program, outer)
     tables = [ask(ground) for ask in (ask_results, ask_journals, ask_studies, ask_inputs)]
     return "\n\n".join(map(str, tables)), sum(table.tries for table in tables), sum(table.wrong for table in tables)

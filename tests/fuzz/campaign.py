@@ -5,7 +5,7 @@
     campaign.py BUILD_FOLDER [FUZZER…] [--minutes 10] [--table FILE]
 
 prints a Markdown table with a row for each fuzzer and exits with 1 if there was a finding. FILE holds the table of what has been
-done so far. New inputs that led somewhere go to BUILD_FOLDER/corpus, findings to BUILD_FOLDER/corpus/FUZZER-crash-…; a fuzzer
+done so far. Inputs that reach new code go to BUILD_FOLDER/corpus, findings to BUILD_FOLDER/corpus/FUZZER-crash-…; a fuzzer
 that has found something is started again for the rest of its time.
 """
 import argparse
@@ -22,14 +22,15 @@ SCENES = ["gear-library/scenes", "gear-library/scenes/dynamics", "-dict=tests/fu
 FUZZERS = {"plan": ["gear-library/gears", "-dict=tests/fuzz/plan.dict"], "scene": SCENES,
            "topology": [], "catalogue": ["gear-library/catalogue", "-dict=tests/fuzz/scene.dict"], "table": [], "result": [], "part": [],
            "study": ["-dict=tests/fuzz/scene.dict"], "import": ["tests/validation/femnet_files", "-dict=tests/fuzz/import.dict"]}
-# Times of libFuzzer are those of the clock on the wall, which a busy machine stretches: only an endless loop reaches this one.
+# libFuzzer measures wall time, which is longer on a busy machine, so the limit is one that only an endless
+# loop reaches.
 LIMITS = ["-max_len=8192", "-timeout=600", "-rss_limit_mb=2000", "-print_final_stats=1"]
 LOOK = 2  # [s] between two looks at the processor time
 FINDINGS = ("crash", "timeout", "oom", "leak")
 
 
 def cpu_seconds(pid):
-    """Of a process that has not been waited for; the clocks of processes are numbered like this (clock_getcpuclockid)."""
+    """The processor-time clock of a process that has not been waited for; the clocks of processes are numbered like this (clock_getcpuclockid)."""
     return time.clock_gettime((~pid << 3) | 2)
 
 
@@ -49,7 +50,7 @@ class Fuzzer:
             return subprocess.Popen(words, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=log, env=environment)
 
     def run(self, report):
-        """Until the time is used up; `report` hears of it now and then."""
+        """Runs until the time is used up, and calls `report` now and then."""
         while (left := self.seconds - self.cpu) > 0:
             fuzzer, before, end = self.begin(left), self.cpu, None
             while (end := os.waitid(os.P_PID, fuzzer.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT)) is None:
@@ -98,7 +99,7 @@ def main(arguments):
         for fuzzer in fuzzers:
             fuzzer.run(lambda: words.table and keep(words.table, table(fuzzers)))
     except KeyboardInterrupt:
-        print("interrupted: the counts are of what was done until then", file=sys.stderr)
+        print("interrupted: the table counts all work until then", file=sys.stderr)
     print(table(fuzzers), flush=True)
     return 1 if any(f.findings for f in fuzzers) else 0
 

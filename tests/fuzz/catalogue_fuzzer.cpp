@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nonsense for whoever reads a catalogue: each input is the one file of a folder of parts.
+// Tries random input in the reader of catalogues: each input is the only file in a folder of parts.
 #include "io/gears/catalogue/catalogue.hpp"
 #include "tests/fuzz/scratch_file.hpp"
 

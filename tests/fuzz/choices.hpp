@@ -10,7 +10,7 @@
 
 namespace netloft::fuzz {
 
-/// An input taken as a row of choices. When it is used up, every choice is the first.
+/// An input read as a sequence of choices. After its end, every choice is the first one.
 class Choices {
  public:
   Choices(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
@@ -38,7 +38,7 @@ class Choices {
   T pick(const T (&from)[Count]) {
     return from[in<std::size_t>(0, Count - 1)];
   }
-  /// Any bits, also those of no number.
+  /// A number of arbitrary bits, which may be NaN.
   double number() { return any<double>(); }
   std::vector<std::uint8_t> bytes(std::size_t most) {
     const std::size_t count = std::min(most, left_);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nonsense for everything that reads gears and meshes of other programs. An input is a .don, a zero byte and
-// its .mdg; a .don alone, which is divided; a table of nodes and bars; a mooring; or a mesh of ours, of VTK
-// or an OBJ. What is imported must be a mesh that can be read again, in every format.
+// Tries random input in all readers of gears and meshes of other programs. An input is a .don, a zero byte
+// and its .mdg; only a .don, which is divided into elements; a table of nodes and bars; a mooring; or a mesh
+// file of Netloft, of VTK or an OBJ. An imported mesh must be readable again in every format.
 #include "io/scenes/import/femnet_scene.hpp"
 #include "io/scenes/import/moordyn.hpp"
 
@@ -13,9 +13,10 @@ namespace {
 
 using namespace netloft;
 
-constexpr double kMostNodes = 2000;  // of a gear that is divided, so that no input takes seconds
+constexpr double kMostNodes = 2000;  // largest number of nodes of a gear that is divided, so that no input
+                                     // takes seconds
 
-/// The compiler cannot leave out what is used.
+/// Prevents the compiler from leaving out the value.
 void use(std::size_t size) {
   static volatile std::size_t sink = 0;
   sink = size;

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Writes what import_fuzzer starts from into a folder: gears with their meshes, a zero byte between them, and the seeds.
+# Writes the seeds of import_fuzzer into a folder: gears and their meshes, with a zero byte between them, and
+# the other seeds.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 mkdir -p "$1"

@@ -9,7 +9,7 @@
 
 namespace netloft::fuzz {
 
-/// A pipe that nobody writes to: whoever opens it waits for ever.
+/// A pipe to which nobody writes: a program that opens it waits for ever.
 inline const std::string& endless_pipe() {
   static const std::string path = [] {
     const std::string pipe = (scratch_folder() / "pipe").string();
@@ -19,7 +19,7 @@ inline const std::string& endless_pipe() {
   return path;
 }
 
-/// Ways in which a file of HDF5 can lead to other files, or never end. All are refused.
+/// Ways in which an HDF5 file can refer to other files, or contain an endless loop. All are refused.
 constexpr int kWaysElsewhere = 8;
 
 inline void nest(hid_t file, const std::string& path) {
@@ -52,7 +52,7 @@ inline void add_strings(hid_t file, const std::string& path, const char* text) {
   H5Dclose(made), H5Sclose(space), H5Tclose(type);
 }
 
-/// Replaces the object `path` in one of these ways, from 1 to kWaysElsewhere.
+/// Replaces the object `path` by a reference of this kind, from 1 to kWaysElsewhere.
 inline void lead_elsewhere(hid_t file, const std::string& path, int way) {
   const std::string names = "/netloft/parts/name";
   const std::string& replaced = way == kWaysElsewhere ? names : path;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nonsense for whoever reads the journal of a motion, NAME.hdf.part. Each input says how a good one is
+// Tries random changes of the journal of a motion, NAME.hdf.part. Each input says how a good journal is
 // changed: records left out, repeated, of another kind, with other bytes in them, all with the right
-// checksums, and then bytes of the file. It is read and reported as a result, and a run goes on from it. What
-// HDF5 itself reads of a journal, the image of what was known at the start, stays whole, or leads to another
-// file.
+// checksums, and then bytes of the file. The journal is read and reported as a result, and a run continues
+// from it. The part that HDF5 itself reads, the image of all data known at the start, stays unchanged or
+// refers to another file.
 #include "io/formats/hdf5/series_journal.hpp"
 #include "io/results/motion/checkpoint.hpp"
 #include "io/results/text/result_text.hpp"
@@ -33,7 +33,7 @@ struct Record {
   std::size_t whole_from = 0, whole_to = 0;  // bytes that are not changed
 };
 
-/// Behind the identity of the run stands the image, after its length.
+/// In a record, the identity of the run is followed by the length of the image and the image.
 void spare_image(Record& record) {
   formats::ByteReader from(record.content);
   record.whole_from = sizeof(std::uint64_t) + from.text().size();
@@ -81,7 +81,7 @@ void change(Record& record, fuzz::Choices& source) {
   }
 }
 
-/// Changes the image in one of the ways of lead_elsewhere().
+/// Changes the image by lead_elsewhere().
 void change_image(Record& record, fuzz::Choices& source) {
   formats::ByteReader from(record.content);
   const std::size_t begin = sizeof(std::uint64_t) + from.text().size();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nonsense for everything that works on a net plan: each input is read, checked, cured, drawn and made a gear
-// of.
+// Tries random input in all code for net plans: each input is read, checked, corrected, drawn and meshed.
 #include "io/formats/toml/accepted_warnings.hpp"
 #include "io/gears/drawing/drawing.hpp"
 #include "io/gears/meshing/division.hpp"
@@ -17,7 +16,7 @@ namespace {
 
 using namespace netloft;
 
-/// That of the library, read once.
+/// The catalogue of the library, which is read once.
 const gears::Catalogue& catalogue() {
   static const gears::Catalogue parts = [] {
     formats::Diagnostics diagnostics;
@@ -26,7 +25,7 @@ const gears::Catalogue& catalogue() {
   return parts;
 }
 
-/// The compiler cannot leave out what is used.
+/// Prevents the compiler from leaving out the value.
 void use(std::size_t size) {
   static volatile std::size_t sink = 0;
   sink = size;

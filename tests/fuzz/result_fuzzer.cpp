@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nonsense for whoever reads a result. HDF5 itself crashes on some damaged bytes, so the bytes of the file
-// stay whole: each input says how a good result is changed through HDF5: objects and attributes removed,
-// renamed, replaced by others of another type or extent, numbers overwritten. Then it is read, reported and
-// drawn as any other. The first byte also says whether the points are replaced by something in another file,
-// which has to be refused.
+// Tries random changes of a result. HDF5 itself crashes on some damaged bytes, so bytes of the file are not
+// damaged. Each input says how a good result is changed by HDF5: objects and attributes are removed, renamed,
+// replaced by others of another type or extent, and numbers overwritten. Then the result is read, reported
+// and drawn like any other. The first byte also says whether the points are replaced by data in another file,
+// which must be refused.
 #include "io/formats/mesh/mesh.hpp"
 #include "io/results/file/read_result.hpp"
 #include "io/results/text/result_text.hpp"
@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kResults[] = {"panel.hdf", "rope-in-time.hdf", "panel.hdf", "half-gear.hdf"};
 
-/// The folder of the results of make_results.sh.
+/// The folder in which make_results.sh has written its results.
 fs::path good_results() {
   const char* folder = std::getenv("NETLOFT_FUZZ_RESULTS");
   if (folder) return folder;
@@ -49,7 +49,7 @@ std::vector<std::string> objects_of(hid_t file) {
   return paths;
 }
 
-/// A dataset or an attribute of numbers or of texts, with extents of the input's.
+/// A dataset or an attribute of numbers or texts, whose extents are taken from the input.
 class Replacement {
  public:
   explicit Replacement(fuzz::Choices& source) : source_(source) {
@@ -154,7 +154,7 @@ void change(hid_t file, fuzz::Choices& source) {
   }
 }
 
-/// A result is the mesh of a scene, too.
+/// Uses the result as the mesh of a scene.
 void stand_on(const fs::path& path) {
   formats::Diagnostics diagnostics;
   const auto mesh = formats::read_vtkhdf(path, diagnostics.add_source("r.hdf", ""), diagnostics);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nonsense for whoever reads a scene: each input is a scene file, with the shipped plugins and the gear
-// library at hand. What is read without an error is planned and assembled, if it is small.
+// Tries random scene files: each input is one, with the shipped plugins and the gear library available. A
+// small scene that is read without an error is planned and assembled.
 #include "framework/assembler/assembler.hpp"
 #include "framework/scene/scene_plan.hpp"
 #include "io/scenes/reading/scene_source.hpp"
@@ -25,7 +25,7 @@ void assemble(const scenes::LoadedScene& loaded, Registry& registry) {
   }
 }
 
-/// Links the folders in which an input finds included files: `include = ["scenes/four-panel.toml"]`.
+/// Links the folders in which scenes find included files: `include = ["scenes/four-panel.toml"]`.
 void link_library() {
   for (const char* part : {"scenes", "gears"})
     std::filesystem::create_directory_symlink(

@@ -9,7 +9,7 @@
 
 namespace netloft::fuzz {
 
-/// A folder of this process alone, in memory where the system has such a place; removed at the end.
+/// A folder for this process alone, in memory if the system has such a folder. It is removed at the end.
 inline const std::filesystem::path& scratch_folder() {
   static const struct Folder {
     std::filesystem::path path;
@@ -32,7 +32,7 @@ inline std::filesystem::path write_scratch(const std::string& name, const std::u
   return path;
 }
 
-/// The compiler cannot leave out what is used.
+/// Prevents the compiler from leaving out the value.
 inline void use(std::size_t size) {
   static volatile std::size_t sink = 0;
   sink = size;

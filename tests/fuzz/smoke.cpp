@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A fuzzer without libFuzzer, for every change: plays each file that is named, or lies in a folder that is,
-// and then a fixed number of changes of them, the same ones every time. Findings show as a crash, under the
-// sanitizers above all.
+// A fuzzer without libFuzzer, which runs for every commit: it tries each named file and each file in a named
+// folder, then a fixed number of changes of them, the same ones every time. A fault shows as a crash, mostly
+// in builds with sanitizers.
 //
 //   NAME_smoke COUNT[:SEED] FILE-OR-FOLDER…
 #include <algorithm>
@@ -44,7 +44,7 @@ std::vector<Input> read_seeds(int argc, char** argv) {
   return seeds;
 }
 
-/// One place of an input changed: a byte, a piece removed, or a piece of another one put in.
+/// Changes one place of an input: changes a byte, removes a piece, or inserts a piece of another input.
 void change(Input& input, const std::vector<Input>& seeds, std::mt19937& random) {
   const auto below = [&](std::size_t n) { return n == 0 ? 0 : random() % n; };
   const std::size_t at = below(input.size() + 1), length = 1 + below(24);

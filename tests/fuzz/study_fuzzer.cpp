@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nonsense for whoever reads the files of a study. The first byte of an input says what the rest is: `m` a
-// manifest, `r` the record of an item, whose checksum is put right, so that it becomes a table and plots;
-// else a study file, which is planned if it is small.
+// Tries random files of a study. The first byte of an input says what the rest is: `m` a manifest, `r` the
+// record of an item, whose checksum is corrected, so that tables and plots are made of it;
+// otherwise it is a study file, which is planned if it is small.
 #include "io/formats/files/whole_file.hpp"
 #include "io/studies/sweep/manifest.hpp"
 #include "io/studies/sweep/study_plots.hpp"
@@ -22,7 +22,7 @@ constexpr double kFewPoints = 500;
 
 studies::VariableValue number(double value) { return {std::to_string(value), value}; }
 
-/// Two points along a path, the hash of which is 1.
+/// Two points along a path, whose hash is 1.
 studies::Study small_study() {
   studies::Study study;
   study.name = "small", study.scene = "scene.toml";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nonsense for whoever reads the tables of a plugin: each input says which numbers, words and nulls stand in
-// them. Pointers lead to what they should or are null: of wild ones the trial process dies, and not this one.
+// Tries random tables of a plugin: each input gives the numbers, words and null pointers in them. Pointers
+// are valid or null, because wild pointers end only the trial process, not this one.
 #include "framework/parameters/parameter_values.hpp"
 #include "framework/registry/descriptors.hpp"
 #include "tests/fuzz/choices.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 using namespace netloft;
 
-/// Makes tables, and owns all that they point to.
+/// Makes tables, and owns all objects that they point to.
 class Tables {
  public:
   Tables(const std::uint8_t* data, std::size_t size) : source_(data, size) {}
@@ -36,8 +36,8 @@ class Tables {
   }
 
  private:
-  /// Mostly the size of a row as it is here; else that of another version, or nonsense no longer than what is
-  /// there.
+  /// Usually the size of a row in this version; otherwise that of another version, or a random one that is
+  /// not longer than the memory.
   std::uint32_t row_size(std::size_t size) {
     return source_.in<int>(0, 7) ? static_cast<std::uint32_t>(size)
                                  : source_.in<std::uint32_t>(0, static_cast<std::uint32_t>(size));
@@ -56,7 +56,7 @@ class Tables {
         return words_.emplace_back("w" + std::to_string(source_.any<std::uint8_t>())).c_str();
     }
   }
-  /// A list of words that ends with null, or null.
+  /// A list of words that ends with a null pointer, or a null pointer instead of the list.
   const char* const* list() {
     if (source_.flag()) return nullptr;
     auto& words = lists_.emplace_back();
@@ -65,7 +65,8 @@ class Tables {
     words.push_back(nullptr);
     return words.data();
   }
-  /// Rows one after the other; sometimes more are promised than a table may have, which nobody may read.
+  /// Rows, one after another. Sometimes their number is larger than a table may have; then no reader may read
+  /// them.
   template <class T, class Count>
   const T* rows(Count& count, void (Tables::*fill)(T&)) {
     const int n = source_.in<int>(-2, 3);
@@ -145,7 +146,7 @@ class Tables {
     if (source_.flag()) e.output = [](const void*, netloft_tile*, double*) { return 0; };
   }
 
-  /// All elements of a plugin offer the same.
+  /// All elements of a plugin have the same offer.
   const void* offer_of_element(std::string_view id) const {
     if (id == NETLOFT_EXT_LAWS) return &slots_;
     if (id == NETLOFT_EXT_SHARED_UNKNOWNS) return &globals_;

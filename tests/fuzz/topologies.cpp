@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Net plans of random topologies: each is meshed, or refused with a message that has a place. Prints how many
-// were meshed, for which reasons the others were refused, and every plan that was neither.
+// Net plans of random topologies: each must be meshed, or refused with a message that names a place in the
+// plan. Prints how many were meshed, why the others were refused, and every plan that was neither meshed nor
+// refused.
 //
-//   topologies COUNT[:SEED]      SEED 1 without it; one seed is one plan
+//   topologies COUNT[:SEED]      SEED is 1 by default; each seed gives one plan
 //   topologies --show SEED       prints the plan of a seed
 #include "tests/fuzz/topology_trial.hpp"
 
@@ -24,11 +25,11 @@ namespace {
 
 using namespace netloft;
 
-constexpr int kMostSeconds = 60;  // of processor time for one plan, hundreds of times what one takes
+constexpr int kMostSeconds = 60;  // limit of processor time for one plan, hundreds of times the usual time
 
 volatile unsigned seed_at_work = 0;
 
-/// A crash, a failed assertion or a plan that takes for ever ends the program with the seed of the plan.
+/// Prints the seed of the plan after a crash, a failed assertion or an endless loop.
 extern "C" void say_seed(int signal) {
   char text[96];
   const int length = std::snprintf(text, sizeof text, "seed %u: signal %d\n", seed_at_work, signal);
@@ -110,6 +111,6 @@ int main(int argc, char** argv) {
               used.ru_maxrss / 1024);
   const bool reaches_the_mesher = 2 * meshed >= count;
   if (!reaches_the_mesher)
-    std::puts("fewer than half of the plans were meshed: the drawer draws too much nonsense");
+    std::puts("fewer than half of the plans were meshed: too many of the random plans are invalid");
   return faulty == 0 && reaches_the_mesher ? 0 : 1;
 }

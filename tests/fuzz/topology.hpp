@@ -14,7 +14,7 @@
 namespace netloft::fuzz {
 
 /// Draws a net plan at random, as text: up to eight small panels of all shapes, sewn to each other and to
-/// themselves along any of their edges, wholly or in pieces, with ropes along any edges. Counts and
+/// themselves along any of their edges, as a whole or in pieces, with ropes along any edges. Counts and
 /// take-ups are drawn so that most seams fit, because the mesher is reached only by plans that pass the
 /// check.
 class TopologyDrawer {
@@ -36,7 +36,7 @@ class TopologyDrawer {
   }
 
  private:
-  /// An edge or a stretch of it, which is sewn as a whole.
+  /// An edge or a part of it, which is sewn as a whole.
   struct Edge {
     std::string name;  // "p0.fore"
     std::size_t panel = 0;
@@ -101,7 +101,8 @@ class TopologyDrawer {
     double rate;  // meshes across per mesh deep
   };
 
-  /// Draws one side, of one or two cuts; returns the meshes that the panel gains by it.
+  /// Draws one side of a panel, made of one or two cuts; returns the number of meshes that they add to the
+  /// panel's width.
   double draw_side(DrawnPanel& panel, const char* key, int depth, double room, bool must_widen = false) {
     static constexpr Cutting kCuttings[] = {
         {"AN", 0}, {"AN", 0}, {"1N2B", 0.5}, {"AB", 1}, {"1N4B", 2.0 / 3}};
@@ -122,7 +123,7 @@ class TopologyDrawer {
     return goes_in ? -reach : reach;
   }
 
-  /// The parts of an edge are sewn one by one or together.
+  /// Adds the parts of an edge, either each alone or all together.
   void add_pieces(DrawnPanel& panel, const std::string& whole, const std::vector<std::string>& parts) {
     if (choices_.flag()) return add_edge(panel, whole);
     for (const auto& part : parts) add_edge(panel, part);
@@ -169,7 +170,7 @@ class TopologyDrawer {
     return text;
   }
 
-  /// Finds out how many meshes the edges have. Edges that the panel does not have are left out.
+  /// Computes the numbers of meshes of the edges. Edges that the panel does not have are left out.
   void measure() {
     formats::Diagnostics silent;
     const gears::NetPlan plan = gears::read_plan_text(text_of_panels(false), "panels.toml", {}, silent);
@@ -190,7 +191,7 @@ class TopologyDrawer {
     return found.empty() ? nullptr : found[choices_.in<std::size_t>(0, found.size() - 1)];
   }
 
-  /// Two edges that exist twice, or two that exist once, fit each other most often.
+  /// Prefers partners that exist as often as the edge, once or twice, because such edges fit most often.
   Edge* pick_partner(const Edge& edge, std::size_t before) {
     const bool any = rarely(5);
     Edge* like = pick_edge([&](const Edge& e) {
@@ -232,7 +233,7 @@ class TopologyDrawer {
       for (Edge* edge : *row) edge->is_sewn = true;
   }
 
-  /// A row of two edges is sewn to one, or one to one.
+  /// Sews two edges in a row to one edge, or one to one.
   void sew_to_earlier(std::size_t panel) {
     Edge* own = pick_edge([&](const Edge& e) { return !e.is_sewn && e.panel == panel; });
     Edge* other = own ? pick_partner(*own, panel) : nullptr;
@@ -297,7 +298,7 @@ class TopologyDrawer {
     ropes_.push_back({name, stands});
   }
 
-  /// A point that exists once, for the middle of a rope.
+  /// A point that exists once, to which the end of a rope in the middle can lead.
   std::string middle_end() {
     for (const auto& panel : panels_)
       if (panel.stands == "middle" && choices_.flag())
@@ -305,7 +306,7 @@ class TopologyDrawer {
     return add_point("middle");
   }
 
-  /// A point for the end of a rope of this standing.
+  /// A point for the end of a rope that stands at this place.
   std::string any_end(const std::string& stands) {
     static constexpr const char* kCorners[] = {".fore-outer", ".aft-outer", ".fore-inner", ".aft-inner"};
     const auto& panel = panels_[choices_.in<std::size_t>(0, panels_.size() - 1)];
@@ -324,7 +325,7 @@ class TopologyDrawer {
     return name;
   }
 
-  /// A rope without netting, between two points.
+  /// Adds a rope without netting between two points.
   void draw_tie() {
     const std::string stands = choices_.pick({"pair", "pair", "middle"}),
                       name = "t" + std::to_string(ropes_.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Net plans of all topologies, drawn from the input: each is meshed without a fault, or refused.
+// Net plans of all topologies, drawn from the input: each must be meshed without a fault, or refused.
 #include "tests/fuzz/topology_trial.hpp"
 
 #include <cstdio>

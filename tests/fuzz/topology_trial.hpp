@@ -14,7 +14,7 @@
 
 namespace netloft::fuzz {
 
-/// What became of one plan: it was meshed, or refused with messages. `faults` should be empty.
+/// The result for one plan: it was meshed, or refused with messages. `faults` should be empty.
 struct TopologyTrial {
   std::vector<std::string> refusals, faults;
   bool is_meshed() const { return refusals.empty(); }
@@ -24,9 +24,9 @@ namespace topology {
 
 using namespace gears;
 
-constexpr std::size_t kMostNodesOfATopology = 20000;  // dozens of times what is asked for
+constexpr std::size_t kMostNodesOfATopology = 20000;  // dozens of times the requested number of nodes
 
-/// Faults of the nodes of seams: both rows of a seam should have the same ones.
+/// Faults of the nodes of seams: both rows of a seam should have the same nodes.
 inline std::vector<std::string> row_faults(const Gear& gear, const GearMesh& mesh) {
   std::vector<std::string> faults;
   for (const Seam& seam : gear.seams) {
@@ -43,7 +43,7 @@ inline std::vector<std::string> row_faults(const Gear& gear, const GearMesh& mes
   return faults;
 }
 
-/// Faults of the numbering: each node belongs to a panel or a rope, or is a point, and no other is used.
+/// Faults of the numbering: each node belongs to a panel or a rope, or is a point, and no other node is used.
 inline std::vector<std::string> node_faults(const GearMesh& mesh) {
   std::vector<bool> is_used(mesh.nodes);
   std::vector<std::string> faults;
@@ -93,7 +93,7 @@ inline void append(TopologyTrial& trial, const char* extent, const std::vector<s
   for (const auto& fault : faults) trial.faults.push_back(extent + (": " + fault));
 }
 
-/// Divides a gear and looks for faults of its mesh; returns the area of its netting, in square meshes.
+/// Meshes a gear and checks the mesh; returns the area of its netting, in square meshes.
 inline double try_extent(const NetPlan& plan, Extent extent, const Fineness& fineness, TopologyTrial& trial) {
   const char* word = extent == Extent::whole ? "whole" : "half";
   const Gear gear = make_gear(plan, extent);
@@ -112,7 +112,7 @@ inline double try_extent(const NetPlan& plan, Extent extent, const Fineness& fin
 
 }  // namespace topology
 
-/// Reads, checks and divides a plan, as a whole and as half a gear.
+/// Reads, checks and meshes a plan, as a whole gear and as half of one.
 inline TopologyTrial try_topology(const std::string& text, const gears::Fineness& fineness) {
   TopologyTrial trial;
   formats::Diagnostics diagnostics;

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# check_exports.sh NM FOLDER: does every plugin below the folder export netloft_plugin_v1 and nothing else?
+# check_exports.sh NM FOLDER: checks that every plugin below the folder exports netloft_plugin_v1 and nothing
+# else.
 set -euo pipefail
 
 nm=$1 folder=$2

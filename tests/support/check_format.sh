@@ -10,7 +10,8 @@ if [[ -z $(type -P clang-format) ]]; then
   exit 77
 fi
 
-# Git knows what is ours; an unpacked archive has no git, but nothing foreign in these folders either.
+# Lists the files that git tracks; an unpacked archive has no git, but these folders then contain no other
+# files either.
 list_sources() {
   git ls-files -z -- '*.hpp' '*.cpp' '*.h' 2>/dev/null ||
     find framework plugins solvers io tests -type f \( -name '*.hpp' -o -name '*.cpp' -o -name '*.h' \) -print0

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# check_headers.sh CC CXX INCLUDE: does every public header compile alone, those of the boundary as C99 and as C++, and is
-# the core of the boundary small? No two traits may share a bit, nor two extensions an identifier.
+# check_headers.sh CC CXX INCLUDE: checks that every public header compiles alone, headers of the C interface
+# as C99 and as C++, and that plugin.h is small, that no two traits share a bit and no two extensions an
+# identifier.
 set -euo pipefail
 
 cc=$1 cxx=$2 include=$3

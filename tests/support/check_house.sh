@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Does the repository keep its rules: folders, includes, names, links, lengths, words? Says every breach, one a line as
-# file:line, and exits 1 if there is any. With names of checks (check_floors) it makes only those.
+# Checks the rules of the repository: folders, includes, names, links, lengths, words. Prints every breach as
+# a line file:line, and exits 1 if there is any. With names of checks (check_floors), it runs only these.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -22,7 +22,8 @@ main() {
   echo "${#files[@]} files keep the rules"
 }
 
-# Git knows what is ours; where there is none, such as in an unpacked archive, .gitignore says what is not.
+# Lists the files that git tracks; without git, as in an unpacked archive, the files that .gitignore does not
+# exclude.
 list_files() {
   git ls-files -z 2>/dev/null && return
   local pattern ignored=(-path './.?*')
@@ -48,7 +49,7 @@ check_top_level() {
   done < <(for file in "${files[@]}"; do echo "${file%%/*}"; done | sort -u)
 }
 
-# Arrows point to the framework, and nothing includes a plugin.
+# Includes must lead towards the framework, and nothing may include a plugin.
 check_arrows() {
   forbid_includes framework 'plugins|solvers|io' 'the framework includes none of the other rooms'
   forbid_includes plugins 'solvers|io' 'plugins see only the framework'
@@ -57,13 +58,14 @@ check_arrows() {
   forbid_headers framework 'toml(\+\+|plusplus)?[./]|hdf5|H5|highfive/' 'no TOML and no HDF5 in the framework'
 }
 
-# Folders of the framework, and wings of io, stand on one another in the order of the table in their README.
+# Folders of the framework and wings of io may include only those below them in the table of their README.
 check_floors() {
   check_floors_of framework '^\| `[a-z]+/'
   check_floors_of io '^\| \[`[a-z]+/'
 }
 
-# check_floors_of ROOM ROW: the table is the lines that begin as ROW, an expression, does.
+# check_floors_of ROOM ROW: the rows of the table are the lines of the README that begin with the expression
+# ROW.
 check_floors_of() {
   local room=$1 folders=() above i
   mapfile -t folders < <(grep -oE "$2" "$room/README.md" | tr -d '[|`/ ')
@@ -75,7 +77,7 @@ check_floors_of() {
   done
 }
 
-# A wing of io includes of another only the headers that the README of that one names as its door.
+# A wing of io may include only those headers of another wing that its README lists.
 check_doors() {
   local hit file header wing
   while IFS= read -r hit; do
@@ -87,12 +89,12 @@ check_doors() {
 
 forbid_includes() { forbid_headers "$1" "(\.\./|netloft/)*($2)/" "$3"; }
 
-# forbid_headers ROOM PATTERN REASON: no C or C++ file of the room includes a header that begins so.
+# forbid_headers ROOM PATTERN REASON: no C or C++ file of the room includes a header whose name matches.
 forbid_headers() {
   breach_lines "$3" < <(grep_in "$1/" '\.(hpp|cpp|h|c)$' -E "^[[:space:]]*#[[:space:]]*include[[:space:]]*[<\"]($2)")
 }
 
-# grep_in FOLDER ENDING WORDS…: greps in the files whose name begins and ends so; file:line:text.
+# grep_in FOLDER ENDING WORDS…: greps in the files below FOLDER with this ending; prints file:line:text.
 grep_in() {
   local folder=$1 ending=$2 file chosen=()
   shift 2
@@ -102,7 +104,7 @@ grep_in() {
   ((${#chosen[@]} == 0)) || grep -Hn "$@" "${chosen[@]}"
 }
 
-# The rooms and the folders in them; include/netloft counts as one folder.
+# Rooms and folders that must have a README; include/netloft counts as one folder.
 check_readmes() {
   local room file folder
   for room in "${rooms[@]}"; do
@@ -146,7 +148,7 @@ code_of() {
   }' "${chosen[@]}"
 }
 
-# breach_lines REASON: every line of standard input is a breach, file:line:text.
+# breach_lines REASON: reports every line of standard input, file:line:text, as a breach.
 breach_lines() {
   local hit rest
   while IFS= read -r hit; do
@@ -155,7 +157,7 @@ breach_lines() {
   done
 }
 
-# The framework serves components and knows none of them by name. Names are those of the folders that hold plugins.
+# The framework must not name any component. The names of components are those of the folders with plugins.
 check_component_names() {
   local file folder solvers=() elements=()
   while read -r folder; do
@@ -170,7 +172,7 @@ check_component_names() {
   )
 }
 
-# Numerics belong to solvers and the framework; io hands problems on. Exempt, with the reason:
+# Numerics belong to solvers and the framework, not to io. Exceptions, with the reason:
 numerics_of_io=(
   io/gears/meshing/knot_graph.cpp      # least squares for the initial shape of a net: geometry, before there is a problem
   io/studies/compare/polish.cpp       # brings a reference to the round-off floor, through the boundary that solvers have
@@ -187,8 +189,9 @@ check_linear_algebra() {
   )
 }
 
-# What comes from others has one way in and one way out: HDF5 files are opened where links and data elsewhere are refused, and
-# texts reach a terminal through functions that escape control characters. Exempt, with the reason:
+# Foreign data pass through checks: only one function opens HDF5 files, which refuses links and data in other
+# files, and only functions that escape control characters print texts on a terminal. Exceptions, with the
+# reason:
 printers=(
   io/program/session/print.cpp         # the functions
   io/program/session/terminal.cpp      # a progress line that is redrawn, and messages that are rendered in colour
@@ -207,7 +210,8 @@ check_doors_of_others() {
   )
 }
 
-# Relative links of every page, and files that a README names in backticks (with a folder, or sources by themselves).
+# Checks relative links of every page, and names of files in backticks in a README (with a folder, or sources
+# without one).
 check_documents() {
   local hit file rest name
   while IFS= read -r hit; do
@@ -221,14 +225,15 @@ check_documents() {
   done < <(grep_in '' '(README|CONTRIBUTING)\.md$' -oE '`([A-Za-z0-9_.-]+/)+[A-Za-z0-9_-]+\.(hpp|cpp|h|md|toml|py|sh|txt|svg)`|`[A-Za-z0-9_-]+\.(hpp|cpp|h)`')
 }
 
-# A name on a page is relative to its folder, to the top, to the headers that plugins include, or to the scenes.
+# A name on a page may be relative to the folder of the page, the top folder, the public headers, or the
+# scenes.
 exists_beside() {
   local folder=.
   [[ $1 != */* ]] || folder=${1%/*}
   [[ -e $folder/$2 || -e $2 || -e framework/include/$2 || -e $folder/netloft/$2 || -e gear-library/scenes/$2 ]]
 }
 
-# Two types of one name in a namespace are one to the linker, which takes the functions of either for both.
+# If two types in a namespace have the same name, the linker uses the functions of one for both.
 check_one_definition() {
   breach_lines 'a type of this name is there already' < <(
     for room in framework plugins solvers io; do code_of "$room"; done | awk '
@@ -247,7 +252,8 @@ check_one_definition() {
   )
 }
 
-# Every promise of SECURITY.md names tests that exist: Suite.Name of C++, test_name of Python, "a wrong scene", 'in a page'.
+# Checks that the tests named by the promises of SECURITY.md exist: Suite.Name of C++, test_name of Python, "a
+# wrong scene", 'in a page'.
 check_promises() {
   local promises=0 hit line name found
   while IFS= read -r hit; do
@@ -292,7 +298,7 @@ check_function_lengths() {
   )
 }
 
-# Functions that are a table of checks or of parameters and nothing else, a few lines a row: file:function.
+# Functions that are only a table of checks or parameters, with a few lines for each row: file:function.
 tables_of_rows=(
   framework/conformance/conformance.cpp:table
   framework/conformance/law_conformance.cpp:law_table
@@ -302,7 +308,8 @@ tables_of_rows=(
   solvers/strategies/tension/strategies.cpp:describe
 )
 
-# Words that were ours alone, and what the field calls them. Only forms that are no plain English are looked for.
+# Words that only this project used, and the terms of the field. Only forms that are not ordinary English are
+# searched.
 private_words=(
   '[Jj]ourney|a strategy, a search'
   '[Dd]etour|a fallback, an attempt'
@@ -335,7 +342,8 @@ check_words() {
   done < <(grep_in '' '\.(hpp|cpp|h|c|md|py|sh|cmake|txt|toml|in)$' -E "${any%|}")
 }
 
-# Comments that begin so leave their sentence to the reader ("Of two that did not arrive the one to tell of").
+# Comments that begin with these words are usually incomplete sentences ("Of two that did not arrive the one
+# to tell of").
 openings_at_most=0
 
 check_openings() {
@@ -346,7 +354,8 @@ check_openings() {
   breach_lines 'leaves its sentence to the reader' < <(printf '%s\n' "${hits[@]}")
 }
 
-# A README says what, why, and the three files to read first; what is longer belongs to the code or to the page of a bench.
+# A README says what, why, and the three files to read first; longer texts belong in the code or on the page
+# of a bench.
 words_at_most=500 words_of_front_page_at_most=1000
 
 check_page_lengths() {
@@ -361,7 +370,8 @@ check_page_lengths() {
 }
 
 
-# A comment of a class says model, symbols, units, source and range; rules stand beside the code that has them.
+# A comment of a class says model, symbols, units, source and range; rules belong beside the code that follows
+# them.
 comment_lines_at_most=30
 
 check_comment_lengths() {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Does check_house.sh find an include that points the wrong way, in every wing of io and every folder of the framework, one that
-# goes past a door, and comments and pages that are too long? Tried on a copy.
+# Checks that check_house.sh finds wrong includes in every wing of io and every folder of the framework,
+# includes that are not listed in a README, and comments and pages that are too long. It changes a copy.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -12,7 +12,8 @@ cp -r "$root/framework" "$root/io" "$copy"
 cp -r "$root/tests/support" "$copy/tests"
 failures=0
 
-# expect CHECK FILE LINES: with the lines at the end of the file, the check fails and names the file; without, it passes.
+# expect CHECK FILE LINES: with the lines at the end of the file, the check must fail and name the file;
+# without them, it must pass.
 expect() {
   local check=$1 file=$copy/$2 kept said
   kept=$(mktemp -p "$copy")
@@ -40,7 +41,8 @@ expect check_doors_of_others io/program/commands/plan_command.cpp 'static const 
 expect check_openings framework/balance/scales.hpp "$(printf '/// Of what there is the rest.\n%.0s' {1..100})"
 expect check_page_lengths framework/balance/README.md "$(printf 'word %.0s' {1..500})"
 expect check_comment_lengths framework/balance/scales.hpp "$(printf '/// A line.\n%.0s' {1..31})"$'\nstruct Long;'
-# The README's first command leaves a result; without git it is known as none of ours by .gitignore.
+# The first command of the README leaves a result file. Without git, .gitignore says that it is not part of
+# the repository.
 cp "$root/.gitignore" "$copy"
 touch "$copy/flume.hdf" "$copy/stray.txt"
 said=$("$copy/tests/support/check_house.sh" check_top_level) || true

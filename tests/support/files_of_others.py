@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes results, journals and studies as somebody hostile would make them, each out of a good one, and what they may lead to."""
+"""Makes results, journals and studies as an attacker would, each from a good one, and the files to which they may refer."""
 import json
 import os
 import re
@@ -19,7 +19,7 @@ CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f]")
 
 
 def lay_out(outer):
-    """Files beside the folder of the user, of which none may be read, shown or changed: secret.txt, other.h5, and a pipe."""
+    """Files beside the folder of the user, which must not be read, shown or changed: secret.txt, other.h5, and a pipe."""
     (outer / "secret.txt").write_text(SECRET * 400)
     os.mkfifo(outer / "pipe")
     with h5py.File(outer / "other.h5", "w") as f:
@@ -27,7 +27,7 @@ def lay_out(outer):
 
 
 def shows_what_is_foreign(content):
-    """Whether bytes or a text that the program wrote hold something of those files."""
+    """Whether bytes or a text that the program wrote contain data of those files."""
     content = content if isinstance(content, bytes) else content.encode()
     return SECRET_WORD.encode() in content or str(UNSEEN)[:6].encode() in content or struct.pack("<d", UNSEEN) in content \
         or struct.pack("<f", UNSEEN) in content
@@ -115,14 +115,14 @@ SHOWN = {"escapes-in-texts": escapes_in_texts, "many-figures": many_figures}
 
 
 def write_result(path, good, change):
-    """A changed result without its checksums, as of an older version: whoever makes such a file leaves them out."""
+    """A changed result without its checksums, as in an older version, because an attacker would leave them out."""
     path.write_bytes(good[:good.rindex(b"netloft checksums 1\n")])
     with h5py.File(path, "r+") as f:
         change(f)
 
 
 def commands_on(name):
-    """Each with the files that it may write. scene.toml, mesh.toml on `name` and good.hdf lie beside it."""
+    """Commands, each with the files that it may write; scene.toml, mesh.toml on `name` and good.hdf are in the same folder."""
     return ([], "report", name), ([], "report", name, "--json"), ([], "report", name, "--csv"), (["o.html"], "report", name, "-o", "o.html"), \
         (["o.html"], "view", name, "-o", "o.html"), (["o.svg"], "draw", name, "-o", "o.svg"), (["o.png"], "draw", name, "-o", "o.png"), \
         (["o.csv"], "export", name, "o.csv"), (["o.csv"], "export", name, "o.csv", "--table", "elements"), (["o.glb"], "export", name, "o.glb"), \
@@ -131,7 +131,7 @@ def commands_on(name):
 
 
 def rewrite_journal(part, change):
-    """Gives a journal right checksums after `change` has changed its record of the layout."""
+    """Corrects the checksums of a journal after `change` has changed its record of the layout."""
     data = bytearray(part.read_bytes()[:16])
     for kind, content in journal.records_of(part.read_bytes()):
         content = change(content) if kind == journal.LAYOUT else content
@@ -190,5 +190,6 @@ def actions_on(folder):
             ["collect", folder], ["show", folder])
 
 
-# Names that a study or its variable must not have: of files elsewhere, of commands, of what a terminal obeys.
+# Names that a study or its variable must not have: names of files elsewhere, commands, and control
+# characters.
 NAMES_OF_STUDIES = {"outside": "../../pwned", "command": "x\ntouch EXECUTED; #", "escape": ESCAPES}

@@ -24,8 +24,8 @@ inline double triangle_area(const PanelMesh& panel, std::size_t triangle) {
   return ((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0])) / 2;
 }
 
-/// Faults of triangles that do not fill the outline of their panel once: the sums of their signed and
-/// unsigned areas are its area.
+/// Faults of triangles that do not fill the outline of their panel exactly once: the sums of their signed and
+/// unsigned areas must both be its area.
 inline std::vector<std::string> area_faults(const Gear& gear, const GearMesh& mesh) {
   std::vector<std::string> faults;
   for (std::size_t p = 0; p < gear.panels.size(); ++p) {
@@ -71,8 +71,8 @@ inline std::set<Side> free_sides(const Gear& gear, const GearMesh& mesh) {
   return sides;
 }
 
-/// Faults of a mesh with holes or folds. In a net without them two triangles run along each side, in opposite
-/// directions because they show the same face outwards; a side on a free edge has one triangle.
+/// Faults of a mesh with holes or folds. In a net without such faults, two triangles share each side, in
+/// opposite directions because they show the same face outwards; a side on a free edge has one triangle.
 inline std::vector<std::string> seam_faults(const Gear& gear, const GearMesh& mesh) {
   std::vector<std::string> faults;
   const auto sides = directed_sides(mesh);
@@ -83,12 +83,12 @@ inline std::vector<std::string> seam_faults(const Gear& gear, const GearMesh& me
     const bool is_free = free.contains(std::minmax(side.first, side.second)),
                has_other = sides.contains({side.second, side.first});
     if (side.first == side.second) faults.push_back(name + " has no length");
-    if (times > 1) faults.push_back(name + " is run along twice in one direction");
+    if (times > 1) faults.push_back(name + " is a side of two triangles in the same direction");
     if (is_free && has_other) faults.push_back(name + " is free, and sewn");
     if (!is_free && !has_other) faults.push_back(name + " is sewn to nothing");
     free_seen += is_free;
   }
-  if (free_seen != free.size()) faults.push_back("free edges are not those of triangles");
+  if (free_seen != free.size()) faults.push_back("sides of a single triangle are not those on free edges");
   return faults;
 }
 

@@ -61,7 +61,7 @@ def main():
         Path(file).write_text(after)
     elif after != before:
         sys.stdout.writelines(difflib.unified_diff(before.splitlines(True), after.splitlines(True), "the page", "the program"))
-        sys.exit(f"{file}: not what the program says; to mend: tests/support/scene_tables.py {netloft} {file} --write")
+        sys.exit(f"{file}: differs from the output of the program; to update it: tests/support/scene_tables.py {netloft} {file} --write")
 
 
 if __name__ == "__main__":

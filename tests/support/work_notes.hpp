@@ -7,7 +7,7 @@
 
 namespace netloft::test {
 
-/// Follows long work, notes its steps, and interrupts it at those that deal with `last`.
+/// Records the steps of long work, and interrupts it at steps that deal with `last`.
 class WorkNotes : public formats::WorkFollower {
  public:
   explicit WorkNotes(std::string last = "none")

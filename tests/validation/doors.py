@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Gears with otter boards at sea, from block to cod-end: computed beside measured, as the tables of tests/validation/README.md.
+"""Gears with otter boards at sea, from block to cod-end: compares computed with measured figures, as in the tables of tests/validation/README.md.
 
     doors.py NETLOFT LIBRARY [--nodes NODES] [--check]
 
-Of either gear one number of its boards is calibrated, the factor of their lift: on the wing spread of the 83-112 at 99 m, on the
-door spread of the GOV-like trawl at 67 m; the netting and the kite of that trawl were chosen looking at all its rows. --check: exit 1 where a row or a slope is beyond LIMITS, and say which.
+For either gear, one number is calibrated, the factor on the lift of its boards: on the wing spread of the 83-112 at 99 m, on the
+door spread of the GOV-like trawl at 67 m; the netting and the kite of that trawl were chosen with all its rows in view. --check: exit 1 if a row or a slope is beyond LIMITS, with its name.
 """
 import argparse
 import json
@@ -76,7 +76,7 @@ def e_fold(found):
 
 
 def heel_per_wire(heels):
-    """By how much boards lean further inward for 25 fathoms more of wire [deg]."""
+    """The angle by which boards lean further inward with 25 more fathoms of wire [deg]."""
     return -FATHOMS * (heels[-1] - heels[0]) / (WIRES[-1] - WIRES[0])
 
 

@@ -1,12 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The 83-112 Eastern trawl in the flume tank: computed beside measured, as the tables of tests/validation/README.md.
+"""The 83-112 Eastern trawl in the flume tank: compares computed with measured figures, as in the tables of tests/validation/README.md.
 
     flume.py NETLOFT LIBRARY [--nodes 1000] [--check] [--slowed]
 
 Five speeds, a rig change at 3.0 knots, and the same gear at full scale in the same water, where only Reynolds numbers
-differ (floats keep one drag coefficient there: smooth spheres have their drag crisis at these speeds). --check: exit 1 if
-a figure is further off than it was when the tables were made, and say which. --slowed: in water that the net slows, with nothing
+differ (floats keep one drag coefficient there: smooth spheres have their drag crisis at these speeds). --check: exit 1 if the error of a figure is larger than in the tables, with its name. --slowed: in water that the net slows, with nothing
 of the netting fitted (83-112-slowed-water-3.0kn.toml), beside the same net in undisturbed water.
 """
 import argparse
@@ -26,13 +25,15 @@ ANGLE = (21.0, 22.4)  # [deg], all speeds
 UPPER_SPREAD, BELT, TONNE = 17.5, -20.0, 9806.65
 SCALED = ("2.0", "3.0", "4.0")
 RAISED = 0.8  # [m], the rig change, by which height went from 2.00 to 2.16 m and wing ends from 1.2 to 1.5 m
-# What --check allows: relative, and for the angle in degrees. Those of wing ends and of the lower spread are what is reached, so that it
-# gets no worse: they are wider than the 15 and 4 % that a prediction ought to keep, and say nothing of its worth.
+# Differences that --check allows: relative, for the angle in degrees. For wing ends and the lower spread
+# these are the present differences, so that they gets no worse: they are wider than the 15 and 4 % that a
+# prediction ought to keep, and say nothing of its worth.
 ALLOWED = {"height": 0.08, "height at 2.0": 0.12, "wing end": 0.25, "wing end at 2.0": 0.5, "lower spread": 0.06, "tension": 0.05,
            "angle": 1.5, "exponent": (1.48, 1.60)}
 
 
-# In slowed water: where the towing point is across, so that the upper wing ends are UPPER_SPREAD apart [m], with and without the flow.
+# Lateral position of the towing point at which the upper wing ends are UPPER_SPREAD apart [m], with and
+# without slowed water.
 ACROSS = {"2.0": (28.96, 29.75), "2.5": (28.64, 29.69), "3.0": (28.45, 29.74), "3.5": (28.32, 29.90), "4.0": (28.25, 30.05)}
 ALLOWED_SLOWED = {"height": 0.07, "height at 2.0": 0.12, "wing end": 0.08, "wing end at 2.0": 0.3, "lower spread": 0.06, "tension": 0.05,
                   "angle": 1.5, "exponent": (1.51, 1.59)}
@@ -96,7 +97,7 @@ def print_rig(program, library, nodes, before):
 
 
 def height_of_point(library):
-    """Of the towing point at 3.0 knots [m], as the scene has it."""
+    """Height of the towing point at 3.0 knots [m], from the scene."""
     scene = tomllib.loads((library / "scenes/83-112-flume-3.0kn.toml").read_text())
     return float(scene["points"]["towing-point"]["at"][2].removesuffix(" m"))
 
@@ -118,7 +119,7 @@ def solve_slowed(program, library, knots, nodes, flow):
 
 
 def misses(found, limits):
-    """What is further off than the limits, as sentences."""
+    """A sentence for each figure beyond its limit."""
     for knots, f in found.items():
         if f["status"] != "converged":
             yield f"{knots} kn: {f['status']}"

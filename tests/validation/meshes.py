@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The 83-112 in the flume on finer and finer meshes: whether it converges, what its figures are, and what it costs.
+"""The 83-112 in the flume on finer and finer meshes: convergence, figures and cost.
 
     meshes.py NETLOFT GEAR_LIBRARY [--nodes 500,1000,2000,4000,8000] [--knots 2.0,3.0,4.0] [--raised 0,0.8] [--set KEY=VALUE ...]
               [--csv FILE] [--check]
 
 Prints a row for each mesh, at each speed and height of the towing point. `over the law` is processor time over the power law through all meshes
 of that speed and height, c N^p, by least squares of the logarithms. `off` is the median, over all figures
-of the report, of the difference from the finest mesh. A mesh on which the gear does not converge has a row that says what it ended at.
+of the report, of the difference from the finest mesh. For a mesh on which the gear does not converge, the row says how the run ended.
 --csv: all figures on all meshes.
 --check: exit 1 if there is one, or one that takes more than 600 factorisations, those of the coarser meshes it began on included.
 """
@@ -33,7 +33,7 @@ FIGURES = (("height [m]", "mouth/headline_height", 1, ".3f"), ("upper spread [m]
 
 
 def solve(program, library, knots, raised, nodes, settings=()):
-    """Its report, with the processor time of the whole run."""
+    """The report of a run, with the processor time of the whole run."""
     with tempfile.TemporaryDirectory() as folder:
         words = [program, "run", str(library / f"scenes/83-112-flume-{knots}kn.toml"), "--json", "-o", f"{folder}/out.hdf",
                  "--set", f"gear.nodes={nodes}", "--set", f"points.towing-point.at[2]={HEIGHT_OF_POINT + raised} m",
@@ -68,7 +68,7 @@ def verdict(report):
 
 
 def off(report, finest):
-    """Median relative difference of its figures from those of the finest mesh."""
+    """Median relative difference of the figures on a mesh from those on the finest mesh."""
     here, there = report["gear"]["figures"], finest["gear"]["figures"]
     both = [(here[name], there[name]) for name in there if isinstance(here.get(name), float) and isinstance(there[name], float)]
     return statistics.median(abs(a / b - 1) for a, b in both if b != 0)

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The 83-112 Eastern survey trawl at sea: wing spread and height at two depths, with one spreading force of the doors.
+"""The 83-112 Eastern survey trawl at sea: wing spread and height at two depths, with a single spreading force of the doors.
 
     sea.py NETLOFT [--nodes 1000]
 
-The force is found from the wing spread at 99 m; all else is predicted. Prints the table of tests/validation/README.md.
+The force is found from the wing spread at 99 m; all other figures are predicted. Prints the table of tests/validation/README.md.
 """
 import argparse
 import json

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One small trawl in several models, which have to agree: half and whole, over the seabed and on it, from the
-// drawing and from elsewhere.
+// Several models of one small trawl must agree: half and whole, over the seabed and on it, from the drawing
+// and from another start.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,14 +28,14 @@ double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) 
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// The four sections of upper and lower netting, headline and footrope.
+/// The four sections of upper and lower netting, and headline and footrope.
 const std::vector<std::string> kPanels = {"upper1", "upper2", "upper3", "upper4",
                                           "lower1", "lower2", "lower3", "lower4"};
 const std::vector<std::string> kRopes = {"headline", "footrope"};
 constexpr std::uint32_t kHalf = 4;  // cells across the half trawl
 
-/// Largest distance of a node of the half from its like in the whole. Both number along rows from the port
-/// side, of which the half has only the middle.
+/// Largest distance between a node of the half and the same node of the whole. Both number nodes along rows
+/// from the port side; of each row, the half has only the part from the middle on.
 double distance_of_half(const SolvedFile& half, const SolvedFile& whole, const std::string& part) {
   double worst = 0;
   const auto& nodes = half.part(part).nodes;
@@ -47,7 +47,7 @@ double distance_of_half(const SolvedFile& half, const SolvedFile& whole, const s
   return worst;
 }
 
-// The mesh of the whole is the mirror image of itself, so that only the solver's tolerance lies between both.
+// The mesh of the whole is symmetric, so that the results may differ only by the tolerance of the solver.
 TEST(SmallTrawl, IsTheSameAsAHalfBesideAMirror) {
   const SolvedFile half = solve_trawl("half"), whole = solve_trawl("whole");
   for (const auto& parts : {kPanels, kRopes})
@@ -59,7 +59,7 @@ TEST(SmallTrawl, IsTheSameAsAHalfBesideAMirror) {
   }
 }
 
-// Perturbed by 10 cm, each coordinate that is free.
+// Every free coordinate is perturbed by 10 cm.
 TEST(SmallTrawl, StandsTheSameFromAnotherStart) {
   const SolvedFile half = solve_trawl("half");
   std::mt19937_64 random(1);
@@ -77,7 +77,8 @@ TEST(SmallTrawl, StandsTheSameFromAnotherStart) {
   EXPECT_LT(worst, 1e-5);
 }
 
-/// The load on the bed, by the depth of the footrope in it: 1e5 N/m2 per metre of rope, soft over 1 mm.
+/// The load on the bed, computed from the depth of the footrope in the bed: 1e5 N/m2 per metre of rope, soft
+/// over 1 mm.
 double carried_by_depth(const SolvedFile& s) {
   constexpr double kStiffness = 1e5, kSoftness = 1e-3, kDepth = 31, kLength = 2.8;
   const auto& rope = s.part("footrope").nodes;
@@ -92,7 +93,8 @@ double carried_by_depth(const SolvedFile& s) {
   return carried;
 }
 
-/// Upward force of all but the bed: weight, floats and water on the gear, and what holds the bridles.
+/// Upward force of everything except the bed: weight, floats, water on the gear, and the holds of the
+/// bridles.
 double lift_without_bed(const SolvedFile& s) {
   double lift = 0;
   for (std::size_t f = 0; f < s.solved.assembler->families().size(); ++f) {

@@ -1,12 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The 83-112 in the flume found in other ways: whether every figure of its report is the same.
+"""Solves the 83-112 in the flume in different ways and compares all figures of its report.
 
     ways.py NETLOFT GEAR_LIBRARY [--knots 3.0] [--size 1] [--check]
 
-Half a gear by the default strategy is held against the whole one, a start from the gear at another speed, other strategies and another
-solver, all with sides of triangles of SIZE metres and a tolerance of 1e-9. --check: exit 1 if a figure differs by more than 1e-5 of it.
-Forces to starboard and counts of a half are left out beside the whole.
+Half a gear by the default strategy is compared with the whole gear, a start from the gear at another speed, other strategies and another solver, all with triangle sides of SIZE metres and a tolerance of 1e-9. --check: exit 1 if a figure differs by more than 1e-5 of it.
+In the comparison of half and whole, lateral forces and counts are left out.
 """
 import argparse
 import json
@@ -45,7 +44,7 @@ class Ways:
 
 
 def compared(beside, figures):
-    """Name and relative difference of the figure that differs most, and how many there are."""
+    """Name and relative difference of the figure that differs most, and the number of figures."""
     names = [name for name in figures if name in beside and isinstance(figures[name], float) and isinstance(beside[name], float)]
     names = [name for name in names if figures[name] != 0]
     worst = max(names, key=lambda name: abs(beside[name] / figures[name] - 1))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A rope with bending stiffness as a cantilever bent far, against the elastica.
+// A rope with bending stiffness as a strongly bent cantilever, compared with the elastica.
 #include <gtest/gtest.h>
 
 #include <array>

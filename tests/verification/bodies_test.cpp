@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rigid bodies against closed forms: at rest on a rope, swinging about a hinge, tumbling freely.
+// Rigid bodies compared with closed forms: at rest on a rope, swinging about a hinge, tumbling freely.
 #include "framework/motion/time_march.hpp"
 #include "tests/unit/framework/assembler/sketch.hpp"
 #include "tests/verification/solving.hpp"
@@ -16,8 +16,8 @@ namespace {
 
 Vec3<double> vector_of(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 
-/// A body on a rope that ends at r of its own axes, its mass at the origin; turned at the start. Nodes: top
-/// and end of the rope, the origin, another point `below`.
+/// A body whose mass is at its origin, on a rope that ends at r in the axes of the body; it is turned at the
+/// start. Nodes: top and end of the rope, the origin, another point `below`.
 Sketch body_on_a_rope(const std::array<double, 3>& r, const std::array<double, 3>& turned,
                       const std::array<double, 3>& below = {}) {
   Sketch s;
@@ -89,7 +89,8 @@ struct Marching {
   }
 };
 
-/// A rod of length l, hinged at its upper end, let go level: t = K(sin 45°) √(2l/3g) to the plumb line.
+/// A rod of length l, hinged at its upper end and released when level, reaches the vertical after t = K(sin
+/// 45°) √(2l/3g).
 TEST(Body, SwingsAboutAHingeInTheTimeOfAPhysicalPendulum) {
   constexpr double l = 2, g = 9.81, m = 30, K = 1.8540746773013719;
   Sketch s;

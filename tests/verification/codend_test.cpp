@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Tubes of diamond netting: a cod-end blown up by its catch, and a tube drawn between two rings, against the
-// axisymmetric membrane of the same netting. All start from an approximate cylinder.
+// Tubes of diamond netting: a cod-end inflated by its catch, and a tube stretched between two rings, compared
+// with the axisymmetric membrane of the same netting. All start from an approximate cylinder.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ double radius(const SolvedFile& s, std::uint32_t node, int axis) {
   return axis == 0 ? std::hypot(x[1], x[2]) : std::hypot(x[0], x[1]);
 }
 
-/// Mean radius of the nodes that lie V meshes behind the fore edge.
+/// Mean radius of the nodes V meshes behind the fore edge.
 double ring_radius(const SolvedFile& s, const std::string& part, double V, int axis) {
   const scenes::PartGeometry& p = s.part(part);
   double sum = 0, count = 0;
@@ -193,7 +193,7 @@ TEST_P(CodendWithCatch, FindsTheFrontOfTheVolumeThatFiftyMeshesHold) {
   EXPECT_LE(b.iterations, 80);
 }
 
-/// Between two rows of nodes, where triangles are cut.
+/// The front is between two rows of nodes, where it cuts triangles.
 TEST_P(CodendWithCatch, IsTheSameWithItsFrontGivenAsItWasFound) {
   const double wanted = 7.5;  // [m3]
   const SolvedFile volume = solve_codend(GetParam(), by_volume(wanted));
@@ -317,11 +317,11 @@ double radius_at(const std::vector<Ring>& rings, double Ring::*coordinate, doubl
   return a.r + (b.r - a.r) * (at - a.*coordinate) / (b.*coordinate - a.*coordinate);
 }
 
-/// Two measures of the error. Shape: the radius of the tube at the depth of an exact ring. Mesh: the radius
-/// of the ring that many meshes behind the upper one, which lies slightly too high on that shape if cells
-/// alternate: one triangle of a cell sees the wider ring, the other the narrower one, and across a facet one
-/// direction of twines is longer than the other; the longer ones carry, and the cell is too short
-/// (README.md).
+/// Two measures of the error. Shape: the the radius of the tube at the depth of an exact ring. Mesh: the
+/// radius of the ring that is as many meshes behind the upper one, which is slightly too high if cells
+/// alternate: one triangle of a cell touches the wider ring, the other the narrower one, and across a facet
+/// one direction of twines is longer than the other; the longer twines bear the load, and the cell is too
+/// short (README.md).
 struct Tube {
   int round, along;
   const char* division;

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a user gets: `netloft run` on scenes of the gear library against the answers of an independent program.
+"""Runs `netloft run` on scenes of the gear library, and compares results with those of an independent program.
 
     command_line.py NETLOFT SOURCE_FOLDER
 
-The panel is compared node by node in the result file, the rest in the JSON on standard output.
+The panel is compared node by node in the result file, other numbers in the JSON on standard output.
 """
 import json
 import math

@@ -137,7 +137,8 @@ TEST(EnergyBudget, CountsWhatAWinchDoes) {
                        "analysis.tolerance=1e-8", "analysis.duration=1", "analysis.output_interval=0.1"},
                       0};
   const auto b = budget_of(hauled, {step(1e-4), "analysis.integrator=generalized-alpha"});
-  // 5 kg half a metre up, at half a metre a second: 5 (9.81 / 2 + 0.5^2 / 2) = 25.15 J, and the rope.
+  // Lifting 5 kg by half a metre at half a metre a second takes 5 (9.81 / 2 + 0.5^2 / 2) = 25.15 J; the rope
+  // adds the rest.
   EXPECT_NEAR(b.at("work_of_winches"), 25.3, 1.0);
   EXPECT_LT(std::abs(b.at("numerical")), 0.05 * b.at("work_of_winches"));
 }
@@ -152,7 +153,7 @@ TEST(EnergyBudget, CountsWhatAWinchDoesInStepsThatHaulFarMoreThanTheRopeStretche
        "analysis.tolerance=1e-8", "analysis.duration=20", "analysis.output_interval=10"},
       0};
   const auto b = budget_of(hauled, {step(0.5), "analysis.integrator=generalized-alpha"});
-  // 5 kg half a metre up, against gravity and the mass damping of 5 kg x 2 / s at 0.025 m/s.
+  // Lifting 5 kg by half a metre, against gravity and the mass damping of 5 kg x 2 / s at 0.025 m/s.
   EXPECT_NEAR(b.at("work_of_winches"), 0.5 * (5 * 9.81 + 10 * 0.025), 0.01 * 24.6);
   EXPECT_LT(std::abs(b.at("numerical")), 1e-3 * b.at("work_of_winches"));
 }
@@ -169,7 +170,8 @@ double given_to(const std::map<std::string, double>& b) { return b.at("kinetic")
 TEST(EnergyMomentum, KeepsAllEnergyOverTenThousandStepsOfASnappingRope) {
   const auto b =
       budget_of(kSnapping, {"analysis.solver=newton", "analysis.energy-momentum.spectral_radius=1"});
-  EXPECT_LT(std::abs(b.at("numerical")), 1e-9 * 5 * 9.81);  // of what 5 kg have to fall 1 m
+  EXPECT_LT(std::abs(b.at("numerical")), 1e-9 * 5 * 9.81);  // of the potential energy of 5 kg over a height
+                                                            // of 1 m
 }
 
 TEST(EnergyMomentum, NeverMakesEnergyWhereItDamps) {
@@ -185,11 +187,10 @@ TEST(EnergyMomentum, NeverMakesEnergyWhereItDamps) {
         joined(kSnapping.overrides, {"analysis.adaptive=false", step(5e-3), "analysis.output_interval=0.05",
                                      std::string("analysis.energy-momentum.spectral_radius=") + radius}),
         watch);
-    EXPECT_GT(most, -1e-3 * 5 * 9.81) << radius;  // what the filter of (2) keeps for a while
+    EXPECT_GT(most, -1e-3 * 5 * 9.81) << radius;  // energy that the filter of (2) keeps for some time
   }
 }
 
-/// The answer of `solver` to the dead-weight panel.
 /// Hard motions with fixed steps: drag, added mass, contact and friction, a guide that pulls slack and taut,
 /// damping by the material, a gust, a winch. Without damping by the scheme, work and energies must agree to
 /// the tolerance of the solver for any step length.

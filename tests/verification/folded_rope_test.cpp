@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Ropes of straight bars against the same bars hung one below another in extended precision.
+// Ropes of straight bars, compared with the exact equilibrium of the bars in extended precision.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -104,8 +104,8 @@ TEST(FoldedRope, HangsToTheLastDigitsByNewtonAlone) {
   EXPECT_LT(furthest(alone, folded(4000)), 1e-10);
 }
 
-// The rope is 110 000 times as stiff. Rounding of positions then changes forces by 0.06 and 6 N, which no
-// solver can go below without the low-order part of the positions.
+// The rope is 110 000 times stiffer. Rounding of positions then changes forces by 0.06 and 6 N; no solver can
+// reduce the residual below this without the low-order part of the positions.
 TEST(FoldedRope, StiffItIsNoFurtherOff) {
   for (const Real EA : {1e10L, 1e12L})
     for (const int n : {67, 4000})

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The hanging panel of the paper's fig. 6a from a net plan with every knot a node, against the same net twine
-// by twine, which an independent program has solved (lumped_test.cpp). Twines and knots are the same; only
-// weights at the edges differ, of which a triangle gives a third to each corner and a bar half to each end.
+// The hanging panel of the paper's fig. 6a from a net plan in which every knot is a node, compared with the
+// same net modelled twine by twine, as solved by an independent program (lumped_test.cpp). Twines and knots
+// are the same; only the weights at the edges differ, of which a triangle gives a third to each corner and a
+// bar half to each end.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -72,7 +73,7 @@ TEST_F(PanelByKnots, HangsTwineByTwineAsTheIndependentProgramSays) {
   EXPECT_NEAR(held, kPanelTopReaction, 1e-6 * kPanelTopReaction);
 }
 
-// The cost of triangles that are not between knots: with as many nodes, ten times as much.
+// With the same number of nodes, triangles that are not between knots have ten times the error.
 TEST_F(PanelByKnots, IsNearerToTheNetThanTrianglesOfAsManyNodes) {
   const auto one = opened({"gear.nodes=3281"});
   const Solution s = runs::find_equilibrium(*one);

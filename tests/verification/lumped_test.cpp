@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The hanging panel of the paper's fig. 6a as a lumped-mass net. With one mesh a cell it is the net twine by
-// twine, which an independent program has solved (every twine one bar, knots as nodes, in the plane of the
-// panel, 6480 unknowns, converged to about 10 digits).
+// The hanging panel of the paper's fig. 6a as a lumped-mass net. With one mesh per cell, it is the net
+// modelled twine by twine, as solved by an independent program (every twine one bar, knots as nodes, in the
+// plane of the panel, 6480 unknowns, converged to about 10 digits).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 // Results of the independent program.
 constexpr double kMidWidth = 15.0040926972;   // [m]
 constexpr double kCentreZ = -18.62402966876;  // of the panel [m]
-constexpr double kBottomZ = -42.65782882554;  // of the middle of the lower edge [m]
+constexpr double kBottomZ = -42.65782882554;  // z of the middle of the lower edge [m]
 
 /// The scene of the library with another element type.
 SolvedFile hang(const std::string& type, int cells) {
@@ -71,7 +71,8 @@ TEST(LumpedNet, TendsToTheNetTwineByTwineAsGroupsGetSmaller) {
   }
   EXPECT_TRUE(std::is_sorted(lowest.rbegin(), lowest.rend()));
   EXPECT_TRUE(std::is_sorted(energy.rbegin(), energy.rend()));
-  EXPECT_LT(lowest[3], lowest[2] / 2);  // from groups of four to groups of two: order one or better
+  EXPECT_LT(lowest[3], lowest[2] / 2);  // from groups of four meshes to groups of two, the order is at least
+                                        // one
   EXPECT_LT(energy[3], energy[2] / 2);
 }
 
@@ -83,7 +84,7 @@ TEST(LumpedNet, WeighsAsMuchAsTheTrianglesItStandsFor) {
   EXPECT_LT(relative(lumped, 3840 * std::numbers::pi / 4 * 1e-4 * 975 * 9.81), 1e-10);
 }
 
-TEST(LumpedNet, AndTrianglesAreTwoSidesOfOnePanel) {  // the difference falls with the cells
+TEST(LumpedNet, AndTrianglesAreTwoSidesOfOnePanel) {  // the difference decreases with the size of cells
   double before = 1e9;
   for (const int cells : {8, 16, 32}) {
     const double difference = std::abs(hang("lumped/net", cells).solved.lowest_z() -
@@ -92,7 +93,7 @@ TEST(LumpedNet, AndTrianglesAreTwoSidesOfOnePanel) {  // the difference falls wi
     EXPECT_LT(difference, before);
     before = difference;
   }
-  EXPECT_LT(before, 0.023);  // the error of triangles against the net twine by twine with 32 cells
+  EXPECT_LT(before, 0.023);  // the error of triangles with 32 cells, compared with the net twine by twine
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The hanging panel of the paper's fig. 6a against an independent program (data/hanging-panel*.txt), at equal
-// mesh, from sketches that are slack, exactly unstretched and far too long.
+// The hanging panel of the paper's fig. 6a compared with an independent program (data/hanging-panel*.txt) on
+// the same mesh, from sketches that are slack, exactly unstretched and far too long.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace netloft::test {
 namespace {
 
-// 60 bars of 0.6 m at hanging ratio 32/48: the height at which no twine is stretched.
+// The height at which no twine is stretched: 60 bars of 0.6 m at a hanging ratio of 32/48.
 const double kUnstretched = 48 * std::sqrt(1 - std::pow(32.0 / 48, 2));
 
 struct Numbers {
@@ -95,7 +95,8 @@ TEST_P(HangingPanelLevels, HangsDeeperInAir) {
   EXPECT_LT(e.top, kRelativeTolerance);
 }
 
-// The energy is convex, so its minimum has one value, but slack netting may have many shapes there.
+// The energy is convex, so its minimum has one value, but slack netting may have many shapes with this
+// energy.
 TEST_P(HangingPanelLevels, HasOneEnergyWithoutStiffnessInCompression) {
   const int n = GetParam();
   Scene scene = sample::hanging_panel(n, 34);

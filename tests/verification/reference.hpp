@@ -19,7 +19,7 @@ struct Level {
   std::vector<std::vector<double>> nodes;
 };
 
-// Tolerances of answers on the same elements.
+// Tolerances for results on the same elements.
 inline constexpr double kNodeTolerance = 1e-8;      // [m]
 inline constexpr double kRelativeTolerance = 1e-9;  // energies and reactions
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Ropes of straight bars: bar by bar against an independent program, and against the elastic catenary, the
+// Ropes of straight bars: compared bar by bar with an independent program, and with the elastic catenary, the
 // limit for short bars.
 #include <gtest/gtest.h>
 
@@ -69,7 +69,7 @@ struct Case {
   const char* part;
   Catenary rope;
   double H, sag, T_end;  // published; 0: not published
-  double digits;         // half a unit of their last digit, relative
+  double digits;         // half a unit of the last published digit, relative
 };
 
 const double kWireWeight = 2844.23 * 2.2783e-4 * 9.81;  // [N/m]
@@ -179,9 +179,9 @@ TEST_P(ElasticCatenary, IsKnownToAMillionthFromTwoHundredBars) {
   }
 }
 
-// The same with `rope.sag = 1`: the deformation within a bar is included, and the error is of fourth order.
-// This requires bars whose weight is small compared with their tension; with few long bars there are other
-// equilibria, too.
+// The same catenary with `rope.sag = 1`: the deformation within a bar is included, and the error is of fourth
+// order. This requires bars whose weight is small compared with their tension; with few long bars there are
+// other equilibria, too.
 TEST_P(ElasticCatenary, IsApproachedWithTheFourthPowerOfTheBarLengthIfBarsSag) {
   const Values3 want = exact(GetParam());
   Values3 before{};
@@ -191,7 +191,7 @@ TEST_P(ElasticCatenary, IsApproachedWithTheFourthPowerOfTheBarLengthIfBarsSag) {
     for (std::size_t k = 0; k < 3; ++k) {
       const double error = relative(got[k], want[k]), order = std::log2(before[k] / error);
       std::printf("   %.3e  %6.3f", error, bars == 50 ? 0.0 : order);
-      if (bars == 100) {  // at 200 the error is that of the solver
+      if (bars == 100) {  // with 200 bars, the error is that of the solver
         EXPECT_NEAR(order, 4, 0.5) << "value " << k << " at " << bars << " bars";
       }
       before[k] = error;

@@ -2,7 +2,8 @@
 //
 // A converged solution has the reactions that the load requires, however stiff the gear is and however far it
 // is from the origin: forces come from differences of positions, and if the rounding of these exceeds the
-// load, no residual proves convergence. Ten decades of both, each solver and the default strategy.
+// load, no residual proves convergence. Both vary over ten decades, with each solver and the default
+// strategy.
 #include "tests/unit/framework/assembler/sketch.hpp"
 #include "tests/verification/solving.hpp"
 
@@ -100,7 +101,7 @@ Known hanging_netting(double EA) {
   Part& net = s.part("net", "priour/triangle",
                      {{"twine.EA", EA}, {"twine.diameter", kTwine}, {"twine.density", kDensity}}, corners);
   net.data["u"] = u, net.data["v"] = v, net.data["bar_length"].assign(8, kBar);
-  // |d| = 4·4 + 4·4 bars in every triangle, of both directions together
+  // |d| = 4·4 + 4·4 bars in every triangle, in both directions together
   const double weight = 8 * 32 * kBar * std::numbers::pi / 4 * kTwine * kTwine * (kDensity - 1025) * 9.81;
   return {s.scene, {{0, {0, 0, weight}}}, true};
 }

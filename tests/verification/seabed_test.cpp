@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Wires that lie on the seabed in part, and ropes drawn over it, against closed forms.
+// Wires that lie partly on the seabed, and ropes drawn over it, compared with closed forms.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -85,7 +85,8 @@ TEST(RopeOverSeabed, IsHeldByTheFrictionOfWhatSlidesAndNoMore) {
     const SolvedFile s = solve_file("verification/rope-dragged-over-seabed.toml",
                                     {"parts.rope.cells=" + std::to_string(bars)});
     ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
-    // The end was sketched at its held position, so its half bar is not dragged; the rest of the rope is.
+    // The end was sketched at its held position, so half of its bar is not dragged; the rest of the rope is
+    // dragged.
     const double pull = -s.solved.reaction(s.node("rope", "start"))[0] + friction * 0.5 * 80 / bars;
     std::printf("%3d bars: %2d iterations, pull %.4f N, error %.2e\n", bars,
                 s.solved.solution.cost.statistics.iterations, pull, relative(pull, exact));
@@ -142,8 +143,9 @@ TEST(TowedChain, DoesNotDependOnWhereItWasSketched) {
   for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(end[axis], expected[axis], 1e-6);
 }
 
-// A tank's model of the towed chain, at 1 : 8 in the same water and towed √8 times slower, computed as itself
-// and by water.model_scale at full scale: forces differ by 8³ (Froude), Reynolds numbers are the same.
+// A model of the towed chain in a tank, at 1 : 8 in the same water and towed √8 times slower, computed at its
+// own scale and by water.model_scale at full scale: forces differ by 8³ (Froude), Reynolds numbers are the
+// same.
 TEST(TowedChain, IsPulledInATankAsItsModelIs) {
   const double s = 8, force = s * s * s;
   const std::vector<std::string> by_reynolds{"parts.chain.drag={law=\"hydro/morison-reynolds\"}",
@@ -180,7 +182,7 @@ double largest_difference(std::span<const double> a, std::span<const double> b) 
 }
 
 // During the solution the anchors of friction are at the sketch, afterwards at the positions to which the
-// rope has slid. The forces of the equilibrium remain; those at the sketch are no longer zero.
+// rope has slid. The forces in equilibrium are unchanged, but forces at the sketch are no longer zero.
 TEST(RopeOverSeabed, SticksToWhereItWasFoundInEquilibrium) {
   const Solved s = solve(solve_file("verification/rope-dragged-over-seabed.toml").loaded.scene,
                          {.limits = {.tolerance = 1e-10}, .strategy = "direct"});

@@ -13,16 +13,16 @@ namespace netloft::test {
 /// The shipped plugins of this build.
 Registry& shipped_plugins();
 
-/// How a test solves its scene; the defaults are those of a user.
+/// How a test solves its scene. The defaults are those of the program.
 struct Solving {
   Values solver_parameters = {};
   Limits limits = {};
   int threads = 1;
   std::string solver = "newton";
-  std::string strategy = "";  // empty: the solver alone, in one solve
+  std::string strategy = "";  // empty: only the solver, in one solve
   Values strategy_parameters = {};
   double work = 5000;                   // budget of the strategy
-  std::map<std::string, Values> given;  // parameters of what the strategy calls, by type
+  std::map<std::string, Values> given;  // parameters of the solvers and strategies that it calls, by type
   MakeFactorisation make = make_factorisation;
 };
 
@@ -48,11 +48,11 @@ struct Solved {
 
 Solved solve(Scene scene, const Solving& how = {});
 
-/// Lets a shipped solver work on a problem that a test has written down.
+/// Lets a shipped solver solve a problem that a test defines.
 netloft_outcome solve_problem(netloft_problem& problem, const std::string& solver,
                               const Values& parameters = {});
 
-/// The size of an error, as a part of the exact value.
+/// The size of an error, as a fraction of the exact value.
 inline double relative(double value, double exact) { return std::abs(value - exact) / std::abs(exact); }
 
 /// Energy at the same positions without gravity: the energy stored in the stretched netting [J].

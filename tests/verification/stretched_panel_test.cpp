@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The panel stretched between two edges of the paper's fig. 6b (gear-library) against an independent program
-// (data/stretched-panel*.txt), at equal mesh: with the opening stiffness, with half of it, without.
+// The panel stretched between two edges of the paper's fig. 6b (gear-library) compared with an independent
+// program (data/stretched-panel*.txt), on the same mesh: with the opening stiffness, with half of it, and
+// without it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +28,7 @@ struct Stretching {
   double opening_stiffness;  // [N m/rad]
 };
 
-// Another convention defines the couple by half of it, which is half our H.
+// By another convention, H is half of ours.
 const Stretching kStretchings[] = {
     {"AsPublished", "stretched-panel.txt", 0.001},
     {"WithHalfTheCouple", "stretched-panel-half-couple.txt", 0.0005},
@@ -88,7 +89,7 @@ double top_reaction(const Solved& s, int n, std::size_t axis, int end) {
   return sum;
 }
 
-/// StretchedErrors at the nodes of the reference; the error of the energy has a sign.
+/// Errors at the nodes of the reference; the error of the energy has a sign.
 struct StretchedErrors {
   double worst_node = 0, width = 0, energy = 0, top = 0, top_left = 0;
 };
@@ -140,9 +141,9 @@ INSTANTIATE_TEST_SUITE_P(AllCells, StretchedPanel,
 class StretchedPanelWithoutOpening : public testing::TestWithParam<int> {};
 
 // Stiffness in compression makes many equilibria: the free edges end in closed meshes, which may be folded
-// either way. From the rectangle, 16 and more cells find others, all stable, 1e-6 apart in energy. From the
-// shape with opening stiffness, 64 cells still end in a neighbour of the independent program's, 1.5e-12 lower
-// in energy, and so may 32, depending on the steps of the solver.
+// either way. From the rectangle, meshes of 16 and more cells find other equilibria, all stable, which differ
+// by 1e-6 in energy. From the shape with opening stiffness, 64 cells still end near the equilibrium of the
+// independent program, 1.5e-12 lower in energy, and so may 32 cells, depending on the steps of the solver.
 TEST_P(StretchedPanelWithoutOpening, TakesAShapeOfNoMoreEnergy) {
   const int n = GetParam();
   const Solved s = solve_without_opening(n);
@@ -174,24 +175,24 @@ Scene scene_at(int n, const Solved& shape, const Level* held = nullptr) {
   return scene;
 }
 
-/// Largest force that holds those nodes of the reference which are free in the panel [N].
+/// Largest force on the held nodes of the reference, without those that the panel holds, too [N].
 double force_to_hold(const Solved& s, const Level& level) {
   double most = 0;
   for (const auto& given : level.nodes) {
-    if (given[1] == 0 || given[1] == level.n) continue;  // on an edge that is held
+    if (given[1] == 0 || given[1] == level.n) continue;  // the node is on an edge that the panel holds
     const auto f = s.reaction(node_at(level.n, given[0], given[1]));
     most = std::max(most, std::hypot(f[0], f[2]));
   }
   return most;
 }
 
-/// The equilibrium of the reference: its nodes are held, and all others are in balance between them.
+/// The equilibrium of the reference: its nodes are held there, and all other nodes are in balance.
 Solved reference_shape(int n, const Level& level) {
   return solve_loaded(load_panel(0, n), scene_at(n, solve_without_opening(n), &level));
 }
 
-// Ten nodes of the reference are known. Held there, with all others in balance, they need no force: the
-// reference is an equilibrium of this model, too, to its own round-off.
+// Ten nodes of the reference are known. If they are held there and all other nodes are in balance, no force
+// is needed: the reference is an equilibrium of this model, too, to its own round-off.
 TEST_P(StretchedPanelWithoutOpening, HasTheEquilibriumOfTheIndependentProgram) {
   const int n = GetParam();
   const Level level = read_level("stretched-panel-no-opening.txt", n);
@@ -227,7 +228,8 @@ TEST_P(StretchedPanelWithoutOpening, ReturnsToTheEquilibriumOfTheIndependentProg
 INSTANTIATE_TEST_SUITE_P(AllCells, StretchedPanelWithoutOpening, testing::Values(4, 8, 16, 32, 64),
                          testing::PrintToStringParamName());
 
-// Independent program, every twine of the real net a bar with its knots as nodes, converged to about 1e-10.
+// Result of the independent program for the real net, with every twine a bar and every knot a node, converged
+// to about 1e-10.
 constexpr double kKnotLevelWidth = 0.1998820902147, kKnotLevelEnergy = 5.7821760651786;
 
 TEST(StretchedPanelOfTriangles, ComesNearTheNetOfWhichEveryTwineIsABar) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Ropes in a current: bar by bar against an independent program, against the continuous cable integrated from
-// its end, and against closed forms.
+// Ropes in a current: compared bar by bar with an independent program, with the continuous cable integrated
+// from its end, and with closed forms.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -23,7 +23,7 @@ SolvedFile solve_in_bars(const std::string& name, const std::string& part, int b
 }
 
 // This test uses no solver: the positions of the independent program are put into the assembler. They are
-// stored to 15 digits, 5e-13 m beyond 100 m, of which EA/l0 = 5e4 N/m makes 2.5e-8 N in each bar.
+// stored to 15 digits, 5e-13 m beyond 100 m, which EA/l0 = 5e4 N/m turns into 2.5e-8 N in each bar.
 TEST(TowedRope, IsInBalanceWhereTheIndependentProgramHasIt) {
   const Level want = read_level("towed-cable-in-bars.txt", 10);
   const SolvedFile s = solve_in_bars("towed-rope.toml", "rope", 10);
@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(AllLevels, TowedRopeInBars, testing::Values(10, 20, 40,
 
 /// The continuous wire of towed-cable.toml, from its end upwards:
 ///   dN/ds = −(weight + drag(t)),  dx/ds = (1 + ‖N‖/EA) t,  t = N/‖N‖
-/// N is the force of the wire above on what hangs below, s unstretched length.
+/// N is the force of the upper part of the wire on the lower part, s the unstretched length.
 struct ContinuousWire {
   static constexpr double rho = 1025, g = 9.80665, V = 1.5, EA = 3e7, D = 0.028, L = 300;
   using State = std::array<double, 4>;  // x, z, N_x, N_z
@@ -99,7 +99,7 @@ struct ContinuousWire {
   }
 };
 
-/// x and z of the end from the top, tension at the top.
+/// x and z of the end relative to the top, and the tension at the top.
 using Values3 = std::array<double, 3>;
 
 Values3 continuous_wire() {
@@ -113,7 +113,8 @@ Values3 wire_in_bars(int bars) {
   return {end[0], end[2], std::hypot(top[0], top[1], top[2])};
 }
 
-// Shooting, by others: end at (110.074, -276.309) m, 19 213 N at the top.
+// Published result of a shooting method: the end is at (110.074, -276.309) m, and the tension at the top is
+// 19 213 N.
 TEST(TowedCable, HasAContinuousFormThatGivesThePublishedDigits) {
   const Values3 wire = continuous_wire();
   EXPECT_NEAR(wire[0], 110.074, 5e-4);
@@ -145,7 +146,8 @@ TEST(TowedCable, IsApproachedWithTheSquareOfTheBarLength) {
   }
 }
 
-// Catenary of parameter T/k, k = 12.3 N/m: span/2 = c asinh(L/2c), sag = c (cosh(span/2c) - 1), c = T/k.
+// A catenary with the parameter T/k, k = 12.3 N/m: span/2 = c asinh(L/2c), sag = c (cosh(span/2c) - 1), c =
+// T/k.
 TEST(TowedLineWithoutWeight, IsACatenaryOfConstantTension) {
   constexpr double T = 415.988311, sag = 26.5437509, c = T / 12.3;
   EXPECT_NEAR(c * std::asinh(50 / c), 40, 1e-7);
@@ -182,7 +184,7 @@ TEST(TowedWire, HangsStraightAtTheCriticalAngle) {
   EXPECT_NEAR(std::atan2(-end[2], end[0]), angle, 1e-8);
 }
 
-// w = 1 N/m: 16.224 degrees. Density so that the wire weighs a tenth.
+// With w = 1 N/m, the angle is 16.224 degrees. The density is such that the wire has a tenth of its weight.
 TEST(TowedWire, StreamsOutWhenItIsLight) {
   const double density = 1025 + 1 / (std::numbers::pi / 4 * 4e-4 * 9.80665);
   const SolvedFile s = solve_file(
@@ -193,7 +195,7 @@ TEST(TowedWire, StreamsOutWhenItIsLight) {
     EXPECT_NEAR(found * 180 / std::numbers::pi, 16.224, 5e-4);
 }
 
-// Elastic catenary between ends of different depth, closed form of others: 6393.5 N.
+// Elastic catenary between ends of different depth, whose published closed form gives 6393.5 N.
 TEST(FreeCatenary, HasTheTensionThatAMooringProgramMisses) {
   double before = 0;
   for (const int bars : {130, 260}) {

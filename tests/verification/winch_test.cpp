@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Winches that hold a tension in a motion, against closed forms, and what they do in the energy budget.
+// Winches that hold a tension in a motion, compared with closed forms, and their work in the energy budget.
 #include "io/runs/march.hpp"
 #include "io/runs/prepared_scene.hpp"
 #include "tests/folders.hpp"
@@ -208,7 +208,7 @@ TEST(TablesInTime, HaveCornersAtWhichStepsEnd) {
   EXPECT_LT(errors[2], 0.1 * errors[1]) << errors[1] << " " << errors[2];
 }
 
-/// Speeds linear between times, with a known path; corners of the table are between outputs.
+/// Speeds that are linear between times, with a known path; corners of the table are between outputs.
 TEST(Winches, PayOutWhatATableOfSpeedsSays) {
   Winch winch{
       "", "", 0, kLength, {{.follows = Follows::speed, .rows = {{0, 0}, {0.3, 1}, {1.1, 1}, {1.7, -2}}}}};
@@ -222,7 +222,7 @@ TEST(Winches, PayOutWhatATableOfSpeedsSays) {
   for (const Moment& at : march(*c).moments) EXPECT_NEAR(at.length - kLength, way(at.t), 1e-9) << at.t;
 }
 
-/// A line that heaves: a tension is held, then rope hauled, then the tension held again.
+/// A line that heaves: a tension is held, then rope is hauled, then the tension is held again.
 Winch changing() {
   Winch winch = holding(29.86, {{0, 2500}}, 3, 300);
   winch.stages.push_back({Follows::speed, 2.1, {{2.1, 0}, {2.3, -0.2}, {3.3, -0.2}, {3.5, 0}}});
@@ -242,7 +242,8 @@ TEST(Winches, ChangeFromTensionToSpeedAndBack) {
   EXPECT_NEAR(length_at(3.25) - length_at(2.5), -0.2 * 0.75, 1e-12);
   for (const Moment& at : m.moments)
     if (at.t > 0 && (at.t < 2.1 || at.t > 4.4)) EXPECT_NEAR(at.tension, 2500, 300) << at.t;
-  EXPECT_GT(std::abs(length_at(4.5) - length_at(4.0)), 0.05);  // it gives what it had hauled
+  // the winch pays out the rope that it had hauled
+  EXPECT_GT(std::abs(length_at(4.5) - length_at(4.0)), 0.05);
   const Moment end = m.moments.back();
   EXPECT_LT(std::abs(end.numerical), 1e-2 * end.given);
 }

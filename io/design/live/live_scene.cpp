@@ -129,7 +129,7 @@ std::shared_ptr<runs::PreparedScene> LiveScene::prepare(const runs::CaseSource& 
   outcome.status = Outcome::Status::no_equilibrium_sought;
   if (scene->loaded().analysis.kind == AnalysisKind::dynamics)
     outcome.sentence =
-        "this scene is a motion, and a design shows equilibria; set analysis.kind = \"static\"";
+        "this scene is a motion, but `netloft design` shows equilibria only; set analysis.kind = \"static\"";
   else if (const auto why_not = runs::why_unfit(*scene))
     outcome.sentence = *why_not;
   else
@@ -205,7 +205,7 @@ studies::SceneNumber LiveScene::number(const std::string& path) {
   } catch (const std::invalid_argument& e) {
     throw Refused(e.what());
   }
-  throw Refused(path + " is not one number, but a table of several; name one of them");
+  throw Refused(path + " is a table of several numbers; name one of them");
 }
 
 const Tangents& LiveScene::tangents(const std::string& path) {

@@ -42,8 +42,8 @@ std::string switched_parts(runs::PreparedScene& before, const std::vector<double
   add_switched(scene, then.members, now.members, "members", " became slack", " became taut", groups);
   add_switched(scene, then.nodes, now.nodes, "nodes", " touched the ground", " left the ground", groups);
   if (groups.empty())
-    return "no member became slack or taut, and no node touched or left the ground: the gear went over to "
-           "another equilibrium, or bends more than a tangent follows";
+    return "no member became slack or taut, and no node touched or left the ground: the gear jumped to "
+           "another equilibrium, or bends too much for its derivatives to describe";
   std::ranges::stable_sort(groups, std::ranges::greater{}, &SwitchedGroup::count);
   std::string text;
   for (std::size_t i = 0; i < std::min(groups.size(), kMostPartsNamed); ++i)

@@ -102,7 +102,7 @@ formats::Document SceneTexts::document(formats::Diagnostics& diagnostics) const 
 Edit SceneTexts::set(const formats::Change& change, bool goes_on) {
   formats::Diagnostics said;
   const formats::Document before = document(said);
-  require_no_errors(said, "the text has an error, which has to be mended first: ");
+  require_no_errors(said, "the text has an error; correct it first: ");
   formats::Value wanted = before.root();
   formats::apply(wanted, change, said, gears::keys_that_name_parts());
   require_no_errors(said, "");
@@ -111,7 +111,7 @@ Edit SceneTexts::set(const formats::Change& change, bool goes_on) {
   formats::Diagnostics after;
   if (!are_same(document(after).root(), wanted) || after.errors()) {
     put({edit.file, edit.at, edit.after, edit.before});
-    throw Refused(change.path + " cannot be set where it stands; change it in the text");
+    throw Refused(change.path + " cannot be set here; change it in the text");
   }
   return keep(edit, goes_on);
 }

@@ -95,7 +95,7 @@ decltype(auto) with_misfits_of(const std::string& context, Action&& action) {
     try {
       return action();
     } catch (const std::invalid_argument& misfit) {
-      throw FileError(std::string("the records of the motion do not fit together: ") + misfit.what());
+      throw FileError(std::string("the records of the motion contradict each other: ") + misfit.what());
     }
   });
 }

@@ -80,7 +80,7 @@ Descriptor take_existing_file(const fs::path& path) {
   if (lock == Lock::kWriterAlive) refuse_second_writer(path);
   if (lock == Lock::kReadersOnly || !is_still_named(fd.get(), path))
     throw FileError("cannot write " + path.string() +
-                    ": another process holds it now; wait for it and try again");
+                    ": another process is using it now; wait for it and try again");
   return fd;
 }
 

@@ -90,7 +90,7 @@ class ObjectVisit {
     if (!groups_.insert(info.addr).second)
       throw FileError(
           path +
-          " is a group that is also in another place, possibly in itself; results have no such groups");
+          " is a group that also appears in another group, possibly in itself; results have no such groups");
   }
 
   std::set<haddr_t> groups_;  // addresses of the visited groups

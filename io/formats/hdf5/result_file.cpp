@@ -22,7 +22,7 @@ void ResultFile::begin(const Mesh& mesh, std::vector<FieldSpec> changing, std::s
 void ResultFile::write_state(double time, std::span<const double> points,
                              std::span<const std::span<const double>> fields) {
   silence_hdf5();
-  if (!grid_) throw std::invalid_argument("a state needs the mesh first: call begin()");
+  if (!grid_) throw std::invalid_argument("write the mesh before the first state: call begin()");
   with_context("cannot write " + part_path().string(), [&] { grid_->write_state(time, points, fields); });
 }
 

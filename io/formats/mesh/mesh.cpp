@@ -42,7 +42,7 @@ std::optional<ElementFault> fault_of(const MeshRegion& region, std::size_t eleme
   const double* end = number + numbers_in(region.kind);
   if (const double* far = std::find_if_not(number, end, [](double x) { return std::abs(x) <= kFarthest; });
       far != end)
-    return ElementFault{false, "a number of the element is not finite, or is above a million"};
+    return ElementFault{false, "a number of the element is not finite or is above a million"};
   if (is_triangle && !has_netting(number))
     return ElementFault{false, "the corners lie on one line in meshes: there is no netting between them"};
   if (region.kind == RegionKind::bars && !(number[0] >= 0 && number[0] < number[1] && number[1] <= 1))

@@ -87,7 +87,7 @@ Cures cures_of_seam(const NetPlan& plan, const Join& join, const Match& match) {
   const double ratio = std::stod(fmt::format("{:.4g}", match.second / match.first));
   if (!join.path.empty())
     cures.push_back(set(join.path + ".take_up", as_number(ratio),
-                        "if that many meshes of the second edge belong to one mesh of the first"));
+                        "if so many meshes of the second edge are sewn to one mesh of the first"));
   return cures;
 }
 
@@ -129,7 +129,7 @@ void check_widths(const Join& join, const std::string& path, const EdgeRow& a, c
   diagnostics.warning(
       join.places[1],
       fmt::format(
-          "{}: {} is {} m wide when stretched, but {} {} m: the wider meshes would be bunched, ratio {:.2g}",
+          "{}: {} is {} m wide when stretched, but {} {} m: the wider netting would be bunched, ratio {:.2g}",
           path, a.name, in_metres(a.stretched / a.times), b.name, in_metres(b.stretched / b.times),
           narrow / wide),
       "one mesh size may be that of one bar instead of two, or take_up may be missing");

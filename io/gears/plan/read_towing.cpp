@@ -58,12 +58,13 @@ std::string end_of_warp(const NetPlan& plan, formats::TableReader& warp) {
 
 std::vector<ShipMoment> read_path(formats::TableReader& path, double speed) {
   const auto t = read_times(path);
-  const auto speeds = read_column(path, "speed",
-                                  {.unit = "m/s",
-                                   .doc = "speed over the ground",
-                                   .range = formats::between(0, 50),
-                                   .count = formats::exactly(t.size())},
-                                  speed, "ship.speed, with which the gear is towed until then");
+  const auto speeds =
+      read_column(path, "speed",
+                  {.unit = "m/s",
+                   .doc = "speed over the ground",
+                   .range = formats::between(0, 50),
+                   .count = formats::exactly(t.size())},
+                  speed, "ship.speed, the speed at which the gear is towed before this path begins");
   const auto headings = read_column(path, "heading",
                                     {.unit = "rad",
                                      .doc = "heading relative to that of the tow, positive to starboard",

@@ -26,7 +26,7 @@ class StageReader {
   /// tension of the warp and the table gives no other.
   WinchStage read() {
     if (before_ && !table_.has("t"))
-      table_.error("t", "is missing: it is the time at which this table replaces the one before");
+      table_.error("t", "is missing: it is the time at which this table replaces the previous one");
     else if (const auto follows = find_key())
       read_as(*follows);
     return stage_;
@@ -86,10 +86,11 @@ class StageReader {
                                   .doc = "largest speed at which the winch can pay out and haul",
                                   .range = {0, 50, true},
                                   .fallback = kWinchSpeed});
-    stage_.band = table_.real("band", {.unit = "N",
-                                       .doc = "deviation of the tension at which the winch runs at max_speed",
-                                       .range = {0, 1e9, true},
-                                       .fallback = kWinchBand * first});
+    stage_.band =
+        table_.real("band", {.unit = "N",
+                             .doc = "deviation of the tension above which the winch runs at max_speed",
+                             .range = {0, 1e9, true},
+                             .fallback = kWinchBand * first});
     stage_.dead_band =
         table_.real("dead_band", {.unit = "N",
                                   .doc = "deviation of the tension up to which the winch does not run",
@@ -99,9 +100,10 @@ class StageReader {
   void check_tension_of_start() {
     if (stage_.rows.empty() || !warp_.tension) return;
     if (std::abs(stage_.rows[0][1] - *warp_.tension) > 1e-9 * *warp_.tension)
-      table_.error("tension", "begins with another value than warp.tension, with which the length is found");
+      table_.error("tension",
+                   "begins with another value than warp.tension, from which the initial length follows");
     else if (warp_.tension_port && stage_.rows.size() > 1)
-      table_.error("tension", "holds for both warps, but warp.tension_port differs from warp.tension",
+      table_.error("tension", "is for both warps, but warp.tension_port differs from warp.tension",
                    "leave out tension_port, or the row of tensions");
   }
 
@@ -117,10 +119,10 @@ class StageReader {
 
   void read_lengths() {
     if (before_)
-      return table_.error("length",
-                          "cannot be given in a table that follows another one, because the length at its "
-                          "beginning is not known",
-                          "give speed, or one table for all lengths");
+      return table_.error(
+          "length",
+          "cannot be given in a second or later table, because the length at its beginning is not known",
+          "give speed, or one table for all lengths");
     if (warp_.tension)
       return table_.error("length", "is given beside warp.tension, which determines the initial length",
                           "run the scene with the tension once, and write the length that was found");

@@ -55,7 +55,8 @@ void add_picture_options(CLI::App& draw, DrawOptions& o) {
       ->check(CLI::IsMember({"netting", "boards", "all"}));
   flag("--dark", o.dark, "draw on dark ground");
   flag("--log", o.log, "logarithmic colours");
-  flag("--elements", o.elements, "colour netting by the value of each triangle, not by means at nodes");
+  flag("--elements", o.elements,
+       "colour each triangle of netting by its own value, not by averages at nodes");
   flag("--dimensions", o.dimensions, "headline height and spreads as dimension lines");
 }
 
@@ -87,8 +88,10 @@ void add_draw_command(CLI::App& app, Chosen& chosen) {
 
 void add_catalogue_command(CLI::App& app, Chosen& chosen) {
   auto [catalogue, o] =
-      add_command(app, chosen, "catalogue", "list the parts that scenes and gears name", catalogue_command);
-  catalogue.add_option("NAME", o.name, "a part, to print all that is known of it, or a kind, such as twine");
+      add_command(app, chosen, "catalogue", "list the parts of the catalogue that scenes and gears can name",
+                  catalogue_command);
+  catalogue.add_option("NAME", o.name,
+                       "a part, to print all its properties, or a kind of parts, such as twine");
   add_common_options(catalogue, o);
 }
 
@@ -114,8 +117,8 @@ void add_femnet_options(CLI::App& import, ImportOptions& o, CLI::Option* gear, C
           ->group(kForFemnet)
           ->excludes(divide);
   auto* check = import.add_option("--check", o.folder,
-                                  "write nothing, but say for each gear in a folder and its subfolders what "
-                                  "it needs, and how many can be converted");
+                                  "write nothing, but print what each gear in a folder and its subfolders "
+                                  "needs, and how many gears can be converted");
   check->check(CLI::ExistingDirectory)->type_name("FOLDER")->group(kForFemnet);
   for (CLI::Option* of_one_gear : {gear, output, divide, mesh}) check->excludes(of_one_gear);
 }

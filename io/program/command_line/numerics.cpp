@@ -24,7 +24,7 @@ void add_compared_method(CLI::App& command, CompareOptions& o, const std::string
 void add_compare_command(CLI::App& app, Chosen& chosen) {
   auto [command, o] =
       add_command(app, chosen, "compare",
-                  "speed against error of several solvers or integrators on one scene", compare_command);
+                  "compare time and error of several solvers or integrators on one scene", compare_command);
   add_scene_options(command, o);
   command.add_option("--accuracy", o.accuracy, "accuracies of motions, one per decade; default: 1e-3:1e-1")
       ->type_name("LO:HI");

@@ -35,16 +35,15 @@ void add_test_command(CLI::App& app, Chosen& chosen) {
       ->type_name("FILE.so|NAME");
   test.add_option("--seconds", o.seconds, "processor time for the checks of one component; default: 60")
       ->check(numbers_between(0.001, 1e6));
-  test.add_flag("--verbose", o.verbose, "list the checks that do not apply, too");
+  test.add_flag("--verbose", o.verbose, "also list the checks that do not apply");
   add_plugin_options(test, o);
 }
 
 void add_new_command(CLI::App& app, Chosen& chosen) {
-  auto [make, o] = add_command(app, chosen, "new",
-                               "write a gear or a plugin to begin with: a gear is sewn and runs, a plugin "
-                               "builds, passes its tests and runs",
-                               new_command);
-  make.add_option("KIND", o.kind, "a trawl of two or four panels, or what the plugin holds")
+  auto [make, o] =
+      add_command(app, chosen, "new",
+                  "write an example of a gear or a plugin as a beginning: it works as it is", new_command);
+  make.add_option("KIND", o.kind, "a trawl of two or four panels, or the kind of plugin")
       ->required()
       ->check(CLI::IsMember(
           {"two-panel", "four-panel", "element", "flow", "law", "solver", "integrator", "strategy"}));

@@ -57,7 +57,7 @@ void add_export_command(CLI::App& app, Chosen& chosen) {
 void add_view_command(CLI::App& app, Chosen& chosen) {
   auto [view, o] = add_command(
       app, chosen, "view",
-      "write a page that shows results: two are laid over one another, more than two get a slider",
+      "write a page that shows results: two are drawn in one picture, more than two have a slider",
       view_command);
   view.add_option("RESULT", o.results, "result files")->required()->type_name("FILE.hdf");
   as_word(view.add_option("-o,--output", o.output,
@@ -75,7 +75,8 @@ void add_diff_command(CLI::App& app, Chosen& chosen) {
   diff.add_option("AFTER", o.after, "result file that is compared with it")
       ->required()
       ->type_name("FILE.hdf");
-  diff.add_flag("--all", o.all, "all numbers and changes of the inputs, not the most important alone");
+  diff.add_flag("--all", o.all,
+                "all numbers and all changes of the inputs, not only the most important ones");
   add_json_option(diff, o);
 }
 

@@ -20,8 +20,9 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
                          "result file; default: the scene's name with .hdf, in this folder"),
           "FILE.hdf");
   run.add_flag("--resume", o.resume,
-               "go on with a motion from the .part that a killed or interrupted run left");
-  run.add_flag("--overwrite", o.overwrite, "replace the .part that such a run left, and all its outputs")
+               "continue a motion from the .part file that a killed or interrupted run left");
+  run.add_flag("--overwrite", o.overwrite,
+               "replace the .part file that such a run left, with all its outputs")
       ->excludes("--resume");
   as_word(run.add_option("--start-from", o.start_from,
                          "begin the search from the shape of the gear in another result"),
@@ -30,8 +31,8 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
   run.add_flag("--stages", o.stages,
                "keep the start and the shape after every stage of the solve, for the slider of view");
   run.add_flag("--error", o.error,
-               "print the errors of the results: that of the solver, and that of the mesh, found by solving "
-               "on other meshes");
+               "print the errors of the results: that of the solver, and that of the mesh, which needs "
+               "solves on other meshes");
   run.add_flag("--sensitivities", o.sensitivities,
                "print the numbers of the scene that each key figure depends on most, by their derivatives");
 }
@@ -39,7 +40,9 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
 void add_design_command(CLI::App& app, Chosen& chosen, const char* name, const char* doc,
                         int (*run)(const DesignOptions&)) {
   auto [design, o] = add_command(app, chosen, name, doc, run);
-  design.add_option("GEAR_OR_SCENE", o.scene, "net plan or scene; one of the library opens as a variant")
+  design
+      .add_option("GEAR_OR_SCENE", o.scene,
+                  "net plan or scene; a file of the library is opened as a copy that can be changed")
       ->required()
       ->type_name("FILE.toml");
   design.add_option("--port", o.port, "port of 127.0.0.1; default: any free one")
@@ -53,13 +56,14 @@ void add_scene_commands(CLI::App& app, Chosen& chosen) {
   add_run_command(app, chosen);
   auto [plan, o] =
       add_command(app, chosen, "plan",
-                  "print which forces and plugins a scene needs, and why others are left out", plan_command);
+                  "print which forces and plugins a scene uses, and why others are left out", plan_command);
   add_method_options(plan, o);
   add_design_command(app, chosen, "design",
-                     "open a gear on a local page, where its shape follows while you change it",
+                     "open a gear on a local page that shows its new shape while you change it",
                      design_command);
   add_design_command(app, chosen, "serve",
-                     "the same for other programs: requests in JSON, until it is interrupted", serve_command);
+                     "offer the same to other programs, by requests in JSON, until it is interrupted",
+                     serve_command);
 }
 
 }  // namespace netloft::program

@@ -76,7 +76,7 @@ void add_opening_options(CLI::App& command, SceneOptions& o) {
 void add_method_options(CLI::App& command, MethodOptions& o) {
   add_scene_options(command, o);
   as_word(command.add_option("--strategy", o.strategy,
-                             "how the equilibrium is found, with parameters: auto:restarts=6"),
+                             "strategy that finds the equilibrium, with parameters: auto:restarts=6"),
           kMethod);
   as_word(command.add_option("--solver", o.solver,
                              "solver of the stages of the strategy, with parameters: newton:method=classic; "

@@ -140,7 +140,7 @@ void add_scope_command(CLI::App& app, Chosen& chosen) {
 void add_sensitivity_command(CLI::App& app, Chosen& chosen) {
   auto [command, o] = add_command(
       app, chosen, "sensitivity",
-      "find how much each figure changes with each number of the scene, by one solve", sensitivity_command);
+      "find by one solve how much each figure changes with each number of the scene", sensitivity_command);
   add_method_options(command, o);
   as_words(command.add_option("--to", o.to,
                               "a number of the scene, or a table of numbers, as for --set, and its standard "
@@ -154,8 +154,8 @@ void add_sensitivity_command(CLI::App& app, Chosen& chosen) {
       command.add_option("-o,--output", o.output, "draw the largest changes as bars, or write all of them"),
       "FILE.svg|FILE.hdf");
   command.add_flag("--check", o.check,
-                   "find all changes also with a thousand times longer step, and mark those that differ: a "
-                   "member is about to become slack, or a node to touch the ground");
+                   "also find all changes with a step a thousand times longer, and mark those that differ: "
+                   "there, a member is about to become slack or a node to touch the ground");
 }
 
 void add_optimise_command(CLI::App& app, Chosen& chosen) {
@@ -181,7 +181,8 @@ void add_study_commands(CLI::App& app, Chosen& chosen) {
   add_study_command(app, chosen);
   auto [calibrate, o] = add_command(
       app, chosen, "calibrate",
-      "find unknown values of scenes from measurements, and predict those held back", calibrate_command);
+      "find unknown values of scenes from measurements, and predict the measurements that are held back",
+      calibrate_command);
   calibrate.add_option("CALIBRATION", o.file, "calibration file")->required()->type_name("FILE.toml");
   add_plugin_options(calibrate, o);
 }

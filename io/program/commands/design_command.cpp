@@ -36,7 +36,8 @@ int serve(const DesignOptions& options, bool ends_with_page) {
   design::DesignServer server(session, options.port);
   print_address(server.address(), options.json);
   if (ends_with_page)
-    terminal.say("netloft: open this address in a browser; the program ends with the page or by Ctrl-C");
+    terminal.say(
+        "netloft: open this address in a browser; the program ends when the page is closed or by Ctrl-C");
   server.run(interrupt_flag(), ends_with_page);
   if (!session.is_saved()) terminal.say("netloft: changes that were not saved are lost");
   return kDone;

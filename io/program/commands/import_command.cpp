@@ -41,8 +41,7 @@ void print_check(const scenes::FolderCheck& check) {
   for (const auto& [feature, gears] : check.features)
     print_line(fmt::format("needed in {:>5}: {}", gears, feature));
   for (const auto& [need, gears] : check.needs) print_line(fmt::format("left out in {:>3}: {}", gears, need));
-  print_line(fmt::format("{} of {} gears can be converted without leaving out a line", check.whole,
-                         check.gears.size()));
+  print_line(fmt::format("{} of {} gears can be converted completely", check.whole, check.gears.size()));
 }
 
 int check_gears(const ImportOptions& options) {

@@ -54,7 +54,7 @@ void check_spelling(const std::string& name) {
 constexpr std::array kTaken = {"parameters", "data", "elastic",    "all",           "test",   "clean",
                                "install",    "help", "edit_cache", "rebuild_cache", "package"};
 
-constexpr const char* kUsed = "the files that would be written use this word already";
+constexpr const char* kUsed = "this word already has a meaning in the files that would be written";
 
 void check_name_of_gear(const std::string& name) {
   if (name == "tow") refuse(name, kUsed);
@@ -66,7 +66,7 @@ void check_name_of_plugin(const std::string& name) {
   if (std::find(kTaken.begin(), kTaken.end(), name) != kTaken.end()) refuse(name, kUsed);
   const auto there = registry.available();
   if (std::find(there.begin(), there.end(), name) != there.end())
-    refuse(name, "there is a plugin of that name, and one would hide the other");
+    refuse(name, "there is already a plugin of that name, and one would hide the other");
 }
 
 std::string replaced(std::string text, std::string_view old, std::string_view with) {

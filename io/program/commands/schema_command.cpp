@@ -40,10 +40,11 @@ Json hold_schema() {
   put(hold, "loose",
       {{"type", "boolean"},
        {"default", false},
-       {"description", "true: the hold only keeps the gear from drifting, and bears nothing in equilibrium"}},
+       {"description",
+        "true: the hold only keeps the gear from drifting, and bears no force in equilibrium"}},
       false);
   put(hold, "displacement",
-      columns_schema("displacement of the held nodes from the place of the hold, over time",
+      columns_schema("displacement of the held nodes from their initial position, over time",
                      {{"t", "s"}, {"x", "m"}, {"y", "m"}, {"z", "m"}}),
       false);
   put(hold, "velocity",
@@ -59,7 +60,7 @@ Json join_schema() {
       {{"type", "array"},
        {"items", {{"type", "string"}}},
        {"minItems", 1},
-       {"description", "points or edges that become one"}},
+       {"description", "points or edges that are joined"}},
       false);
   put(join, "together", {{"type", "boolean"}, {"default", false}, {"description", "all nodes become one"}},
       false);
@@ -135,7 +136,7 @@ void put_gear(Json& scene) {
   nodes = {{"anyOf", Json::array({nodes, {{"const", scenes::kKnots}}})},
            {"description", nodes["description"]}};
   Json finer = {{"type", "object"}, {"additionalProperties", {{"type", "number"}, {"exclusiveMinimum", 0}}}};
-  finer["description"] = "by panel or rope: factor by which the sides of triangles, or the bars, are shorter";
+  finer["description"] = "for each panel or rope: factor by which sides of triangles, or bars, are shorter";
   put(gear, "finer", finer, false);
   for (const auto& of : scenes::gear_elements())
     put(elements, of.kind,
@@ -167,7 +168,8 @@ void put_files(Json& scene) {
       {{"type", "array"},
        {"items", {{"type", "string"}}},
        {"description",
-        "files that are read first and that this file overrides; names are relative to its folder"}},
+        "files that are read first; keys in this file replace theirs; names are relative to the folder of "
+        "this file"}},
       false);
   put(scene, "catalogue",
       {{"type", "array"},
@@ -196,7 +198,7 @@ void put_pieces(Json& scene, const PartSchema& parts, const PartSchema& bodies) 
   put(scene, "bodies",
       {{"type", "object"},
        {"additionalProperties", bodies.schema()},
-       {"description", "rigid bodies, to whose points parts are joined"}},
+       {"description", "rigid bodies; parts are joined to points of them"}},
       false);
   // "type" is required only without `include`, because an included file may have it.
   scene["if"] = {{"required", {"include"}}};

@@ -134,12 +134,13 @@ Json rider_schema(const ElementType& e, const PluginContent& plugin) {
   part["title"] = e.type + " on other parts";
   const Json name = text("a part, an edge or a point");
   put(part, "on",
-      {{"description", "part or region whose nodes it uses"},
+      {{"description", "part or region whose nodes this part uses"},
        {"anyOf", {name, {{"type", "array"}, {"items", name}, {"minItems", 1}}}}},
       true);
   if (e.element.stencil == NETLOFT_NODE) {
     put(part, "number", quantity("1", 0, 1e6, "pieces, spread evenly along `on`"), false);
-    put(part, "each", quantity("1", 0, 1e6, "pieces on every node, instead of a number"), false);
+    put(part, "each", quantity("1", 0, 1e6, "number of pieces on every node, instead of a number in all"),
+        false);
   }
   put_data(part, e, false);
   return end_part(std::move(part), e, plugin);

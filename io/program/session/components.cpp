@@ -209,8 +209,7 @@ std::string law_text(const LawType& l) {
       l.origin->name, l.origin->version, l.origin->file.empty() ? "compiled in" : l.origin->file);
   append_parameters(l.parameters, out);
   if (!l.validity.empty())
-    fmt::format_to(
-        out, "\nmeasured for (a report says for how much of a gear the law is used outside of this range)\n");
+    fmt::format_to(out, "\nmeasured in this range (the report says how much of a gear is outside it)\n");
   for (const auto& range : l.validity) fmt::format_to(out, "  {}\n", results::validity_text(range));
   return text;
 }

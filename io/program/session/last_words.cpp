@@ -99,7 +99,7 @@ bool say_what_happened(std::string_view did) {
   } else if (plugin.type && calls->innermost().kind != CallFrame::Kind::host) {
     say_who(plugin, did);
   } else if (plugin.type) {
-    say("the program itself, called back by ");
+    say("the program itself, in a function that was called by ");
     say_if(plugin.type);
     say(",");
     say(did);

@@ -70,7 +70,7 @@ int Session::open() {
   const scenes::Analysis& analysis = scene_.loaded().analysis;
   if (names_strategy_ && analysis.kind == AnalysisKind::dynamics && !analysis.dynamics.from_equilibrium)
     throw UsageError{
-        "--strategy finds equilibria, and this motion does not begin at one; with --set "
+        "--strategy finds equilibria, and this motion does not begin at an equilibrium; with --set "
         "analysis.start=equilibrium it does"};
   if (diagnostics.warnings()) terminal_.say(diagnostics);
   return kDone;

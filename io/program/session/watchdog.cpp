@@ -40,7 +40,8 @@ int exit_code(bool interrupted) { return interrupted ? kInterrupted : kNotConver
 
 /// Ends the program if the results are not written in time, because another call of a plugin never returns.
 void give_up(int) {
-  constexpr char words[] = "netloft: the results so far could not be written: a plugin does not return\n";
+  constexpr char words[] =
+      "netloft: the results so far could not be written, because a plugin does not return\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, words, sizeof words - 1);
   end_at_once(interrupt_flag() ? kInterrupted : kNotConverged);
 }
@@ -123,7 +124,8 @@ void Watchdog::look_at_interruption(double now) {
 void Watchdog::abandon_result() {
   abandon_();
   const std::string said =
-      "interrupted; the result is not written, which took more than half a second of processor time";
+      "interrupted; the result is not written, because writing it took more than half a second of processor "
+      "time";
   terminal_.say("netloft: " + said);
   if (terminal_.json()) print_line(error_json(said, kInterrupted));
   std::fflush(stdout);

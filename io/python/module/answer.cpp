@@ -56,7 +56,7 @@ Answer::Answer(const OpenedScene& source, const SolveRequest& request, const std
   require_equilibrium_of(scene_->loaded());
   if (request.like && !runs::have_same_topology(*request.like, *scene_))
     throw std::invalid_argument(
-        "mesh_of has another mesh than this scene can have; it has to be an equilibrium of the same gear");
+        "mesh_of has a mesh that this scene cannot have; give an equilibrium of the same gear");
   if (const auto why_not = runs::why_unfit(*scene_)) throw PluginRefused(*why_not);
   solution_ =
       solve_from(*scene_, request.start, {.interrupt = &interrupt, .on_iteration = request.on_iteration});

@@ -105,7 +105,7 @@ void add_python_plugin(const std::string& name, const std::string& doc, py::func
     return;
   }
   if (std::ranges::count(registry().available(), name))
-    throw PluginRefused("\"" + name + "\" is the name of a plugin already; choose another one");
+    throw PluginRefused("\"" + name + "\" is already the name of a plugin; choose another name");
   PythonPlugin& plugin = python_plugins().emplace_back();
   plugin.name = name;
   plugin.doc = doc;

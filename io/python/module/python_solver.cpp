@@ -62,7 +62,7 @@ py::tuple evaluate(PythonProblem& p, const Vector& u, bool tangent) {
   const auto at = p.vector(u, "u");
   const std::span<double> r(residual.mutable_data(), p.size());
   if (p.valid().evaluate(at, energy, r, tangent ? Matrix::exact : Matrix::none) != Evaluation::ok)
-    throw std::domain_error("the forces are not defined at this point; shorten the step");
+    throw std::domain_error("there are no forces at this point; shorten the step");
   return py::make_tuple(energy, residual);
 }
 

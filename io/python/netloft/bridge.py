@@ -17,8 +17,7 @@ if TYPE_CHECKING:
 class Figures:
     """Figures of a scene as a function of some of its numbers, each in the unit of the scene.
 
-    Every value is the equilibrium that is found from that of the scene itself, on the mesh of that one. So it
-    depends on the numbers alone, not on those before, and it is smooth as long as no other equilibrium is found.
+    Every figure belongs to the equilibrium that is found from that of the scene itself, on the same mesh. So it depends on the numbers alone, not on those before, and it is smooth as long as no other equilibrium is found.
     """
 
     def __init__(self, scene: Scene, numbers: Iterable[str], figures: Iterable[str]) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Look-up of names, with the likely intent where there is none."""
+"""Look-up of names; for an unknown name, the message suggests a similar one."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def unknown(what: str, name: object, known: Iterable[str]) -> str:
 
 
 class Named(Mapping[str, V]):
-    """A mapping that shows itself as a table, completes its names, and answers a wrong one with the nearest."""
+    """A mapping that is shown as a table, completes its names, and suggests the nearest name for a wrong one."""
 
     def __init__(self, what: str, values: dict[str, V]) -> None:
         self._what, self._values = what, values

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Numbers with a unit, an error and a sentence."""
+"""Numbers with a unit, an error and a description."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from . import _netloft
 
 
 class Quantity(float):
-    """A float that knows its unit, its error and what it is.
+    """A float with its unit, its error and its description.
 
     `error` is the estimated error in the same unit: that of the mesh, if it was asked for, and that of the
     solver; NaN if neither is known. `least` and `largest` are the range over all equilibria that were found.

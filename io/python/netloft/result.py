@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 else:
 
     class Outputs:
-        """What editors know of the outputs of elements (_tables.pyi)."""
+        """The outputs of elements, as known to editors (_tables.pyi)."""
 
 
 def _quantity(number: tuple[Any, ...]) -> tuple[str, Quantity]:
@@ -97,7 +97,7 @@ class PartResult(Outputs):
 
 
 class Report:
-    """What every result has: an outcome, figures, text."""
+    """The common part of all results: an outcome, figures, text."""
 
     def __init__(self, answer: Any) -> None:
         self._answer = answer
@@ -195,7 +195,7 @@ class Equilibrium(Report):
                               attrs={"scene": str(self.scene.file), "changes": list(self.scene.changes), "status": self.status})
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """An Equilibrium is pickled as the Stored that its file would hold, which has no scene to go on with."""
+        """An Equilibrium is pickled as the Stored of its file, which has no scene with which to go on."""
         from .motion import stored
 
         return stored(self).__reduce__()

@@ -24,10 +24,10 @@ if TYPE_CHECKING:
 else:
 
     class Numbers:
-        """What editors know of the numbers of a part (_tables.pyi)."""
+        """The numbers of a part, as known to editors (_tables.pyi)."""
 
     class Tables:
-        """What editors know of the tables of a scene (_tables.pyi)."""
+        """The tables of a scene, as known to editors (_tables.pyi)."""
 
         __slots__ = ()
 
@@ -221,11 +221,11 @@ class Scene(Tables):
         for change in self.changes:
             key, _, value = change.partition("=")
             if "[" in key:
-                raise ValueError(f"{key} is an item of an array, which a file that includes another one cannot change by itself")
+                raise ValueError(f"{key} is an item of an array; a file that includes the scene can only replace the whole array")
             lines.append(f"{key} = {_as_toml(value)}")
         path = Path(path)
         if path.exists():
-            raise FileExistsError(f"{path} is there already, and a scene is no result that could be made again")
+            raise FileExistsError(f"{path} exists already; a scene is not overwritten, because it cannot be computed again")
         path.write_text("\n".join(lines) + "\n", encoding="utf-8")
         return path
 
@@ -244,7 +244,7 @@ class Scene(Tables):
 
 
 def _as_toml(value: str) -> str:
-    """The value of a change as TOML: what is none is a text without its quotes, as `--set` takes it."""
+    """The value of a change, read as TOML; if it is not TOML, it is a text without quotes, as for `--set`."""
     try:
         tomllib.loads(f"value = {value}")
     except tomllib.TOMLDecodeError:

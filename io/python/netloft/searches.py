@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `netloft optimise` and `netloft calibrate` do, on the same files."""
+"""The searches of `netloft optimise` and `netloft calibrate`, with the same files."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def optimise(file: Path | str, folder: Path | str | None = None, raises: bool = 
 
 
 def calibrate(file: Path | str, raises: bool = True) -> Calibration:
-    """What is not known of some scenes, found from figures that were measured (CALIBRATION.md).
+    """Unknown values of some scenes, found from measured figures (CALIBRATION.md).
 
     Raises WrongInput, Refused, NotConverged (unless raises=False), and Interrupted after Ctrl-C.
     """

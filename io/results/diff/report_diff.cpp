@@ -58,7 +58,7 @@ void inputs_text(const ResultDiff& diff, bool all, Out out) {
   const std::size_t shown = all ? changes.size() : std::min(changes.size(), kShownInputs);
   if (changes.empty())
     fmt::format_to(out, "inputs: {}\n",
-                   diff.inputs.other_text ? "the same but for comments and spaces" : "the same");
+                   diff.inputs.other_text ? "the same apart from comments and spaces" : "the same");
   for (std::size_t i = 0; i < shown; ++i)
     fmt::format_to(out, "{:<7} {}{}\n", i == 0 ? "inputs:" : "", changes[i],
                    i + 1 == shown && shown < changes.size()
@@ -251,7 +251,7 @@ std::string errors_line(const ResultDiff& diff) {
   return std::string(std::ranges::any_of(diff.figures, exceeds)
                          ? "* marks a change larger than the errors (of solver and mesh) of both results"
                          : "no change is larger than the errors (of solver and mesh) of both results") +
-         "; smaller ones may be real, too, because errors of like meshes are alike";
+         "; smaller changes may be real, too, because similar meshes have similar errors";
 }
 
 std::string diff_text(const ResultDiff& diff, bool all) {

@@ -53,7 +53,7 @@ void add_vector(const std::string& at, const std::string& doc, const Vector& for
                 std::vector<Figure>& figures) {
   figures.push_back({at + "x", "N", doc + ", aft", force.x});
   figures.push_back(
-      {at + "y", "N", doc + ", to starboard; for half a gear, that on the starboard half alone", force.y});
+      {at + "y", "N", doc + ", to starboard; for half a gear, the force on the starboard half", force.y});
   figures.push_back({at + "z", "N", doc + ", upwards", force.z});
 }
 
@@ -172,7 +172,7 @@ void add_stretches(const GearView& gear, std::uint32_t footrope,
     const std::string at = "footrope/" + std::to_string(100 / kStretches * k) + "-" +
                            std::to_string(100 / kStretches * (k + 1)) + "%/";
     const std::string where =
-        ", on the stretch of the footrope between these fractions of the way from its middle to its ends";
+        ", on the part of the footrope between these fractions of the distance from its middle to its ends";
     figures.push_back(
         {at + "touching", "m", "length in contact with the ground" + where, gear.times() * one.touching});
     figures.push_back(

@@ -131,7 +131,7 @@ void add_role_figures(const GearView& gear, std::vector<Figure>& figures) {
     }
     if (counted)
       figures.push_back({"rigging/" + role + "/tension_start", "N",
-                         "tensions at the starts of all ropes of this role, added up", gear.times() * sum});
+                         "sum of the tensions at the starts of all ropes of this role", gear.times() * sum});
   }
 }
 

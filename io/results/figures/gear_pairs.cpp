@@ -74,7 +74,7 @@ void add_spreading(const std::vector<std::string>& bodies, const std::string& ow
   };
   const double water = outward("water"), ground = outward("ground");
   figures.push_back(
-      {own + "spread_force", "N", "force of water and ground outward, mean of the two", water + ground});
+      {own + "spread_force", "N", "outward force of water and ground, mean of both bodies", water + ground});
   figures.push_back({own + "ground_share", "1", "fraction of the spreading force that comes from the ground",
                      ground == 0 ? 0 : ground / (water + ground)});
 }

@@ -83,7 +83,7 @@ void add_power(const GearView& gear, std::vector<Figure>& figures) {
       {"bodies", "towing boards and other bodies through the water"},
       {"warps", "towing the warps"},
       {"ground", "friction and slope of the ground"},
-      {"others", "towing all else, such as a catch"}};
+      {"others", "towing everything else, such as a catch"}};
   std::map<std::string, double> forces;
   const auto& parts = gear.loaded().scene.parts;
   for (std::uint32_t p = 0; p < parts.size(); ++p)

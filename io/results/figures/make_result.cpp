@@ -169,8 +169,8 @@ Result make_result(const scenes::LoadedScene& loaded, Assembler& assembler, cons
   result.warnings = find_warnings(loaded, assembler, answer, laws, solution.residual, result);
   if (result.outcome == "unstable" && result.swing && result.swing->frequency > 0)
     result.diagnostics.push_back(
-        "analysis.swinging = \"accepted\" accepts this equilibrium as the mean of the oscillation, which "
-        "makes sense if the figures change little per metre of motion of " +
+        "analysis.swinging = \"accepted\" accepts this equilibrium as the mean of the oscillation, which is "
+        "reasonable if the figures change little per metre of motion of " +
         result.swing->furthest);
   return result;
 }

@@ -134,11 +134,11 @@ struct KeySensitivities {
     std::string figure, figure_unit;  // a key figure (key_figures.hpp), and its unit
     std::string path, unit;           // the number as `--set` names it, and its unit as written; empty: none
     double value = 0;                 // the number, in its unit
-    double derivative = 0;            // derivative of the figure with respect to the number, in their units
+    double derivative = 0;  // derivative derivative of the figure with respect to the number, in their units
     /// Change of the figure if the number increases by one percent, in the unit of the figure.
     double effect() const { return 0.01 * std::abs(value) * derivative; }
   };
-  std::string note;       // how many numbers were examined, or why there are no rows
+  std::string note;       // how many numbers were examined, or why the table is empty
   std::vector<Row> rows;  // figures in the order of key_figures(), each with the largest effect first
 };
 

@@ -164,8 +164,8 @@ std::vector<formats::StaticField> label_points(const scenes::LoadedScene& loaded
     }
   }
   return {
-      {{"part", "1", "part the node was made for, index into /netloft/parts/name", formats::Location::kPoint,
-        1, true},
+      {{"part", "1", "part for which the node was made, as an index into /netloft/parts/name",
+        formats::Location::kPoint, 1, true},
        part},
       {{"node", "1", "number of the node within its part", formats::Location::kPoint, 1, true}, node},
       {{"panel_uv", "1", "panel coordinates U, V in meshes", formats::Location::kPoint, 2, false}, panel}};

@@ -24,7 +24,7 @@ void visit_origins(File&& file, AnyOrigins& o) {
   file.column("provenance/plugins/version", o.plugins, &Plugin::version, "");
   file.column("provenance/plugins/path", o.plugins, &Plugin::path, "");
   file.column("provenance/plugins/hash", o.plugins, &Plugin::hash, "");
-  file.text("plan", o.plan, "forces that are evaluated, and why the others are off");
+  file.text("plan", o.plan, "forces that are evaluated, and why others are not");
 }
 
 /// Visits the members that are known when a run begins.
@@ -195,15 +195,15 @@ template <class File, class AnyResult>
 void visit_sensitivities(File&& file, AnyResult& r) {
   file.sometimes("key_sensitivities", r.sensitivities, [&](auto& s) {
     using Row = KeySensitivities::Row;
-    file.text("key_sensitivities/note", s.note, "how many numbers were examined, or why there are no rows");
+    file.text("key_sensitivities/note", s.note, "how many numbers were examined, or why the table is empty");
     file.names("key_sensitivities/figure", s.rows, &Row::figure,
                "a key figure, and a number that it depends on");
     file.names("key_sensitivities/figure_unit", s.rows, &Row::figure_unit);
-    file.names("key_sensitivities/path", s.rows, &Row::path, "the number as --set names it");
+    file.names("key_sensitivities/path", s.rows, &Row::path, "name of the number, as for --set");
     file.names("key_sensitivities/unit", s.rows, &Row::unit, "as written in the scene");
     file.column("key_sensitivities/value", s.rows, &Row::value, "unit");
     file.column("key_sensitivities/derivative", s.rows, &Row::derivative, "figure_unit per unit",
-                "of the figure with respect to the number");
+                "derivative of the figure with respect to the number");
   });
 }
 

@@ -117,7 +117,8 @@ std::map<std::string, double> read_twine_tensions(const formats::Reader& reader)
 
 void note_age(const formats::Reader& reader, Result& result) {
   if (!reader.has(kRoot + "parts/twine_axes"))
-    result.notes.push_back("it was written by an older version, which did not say how twines lie");
+    result.notes.push_back(
+        "it was written by an older version, which did not store the directions of twines");
   if (reader.has("/VTKHDF") && !reader.has("/VTKHDF/CellData/panel_corners"))
     result.notes.push_back("it was written by an older version, without the places of cells on their panels");
 }

@@ -58,7 +58,8 @@ void add_warp_figures(const scenes::LoadedScene& loaded, const Assembler& assemb
     set(gear, own + "length", "m", "unstretched length of the warp",
         holds ? winch->length : length_at(part, at.t));
     set(gear, own + "tension", "N",
-        "force of the warp on the block; the mean over the last step, if the scheme has one",
+        "force of the warp on the block; its mean over the last step, if the time scheme computes mean "
+        "forces",
         std::hypot(force[0], force[1], force[2]));
     if (holds) set(gear, own + "paying_out", "m/s", "speed of the winch; negative: hauling", winch->speed);
   }

@@ -29,7 +29,7 @@ std::string loss_text(const std::optional<NumericalLoss>& l) {
     return fmt::format(
         "  warning: the time scheme created {:.3g} J, while {:.3g} J were supplied: the motion is too "
         "lively\n"
-        "  a smaller accuracy creates less, and the integrator energy-momentum creates none\n",
+        "  with a smaller accuracy it creates less energy, and the integrator energy-momentum creates none\n",
         -l->lost, l->given);
   return fmt::format(
       "  warning: the time scheme removed {:.3g} J of the {:.3g} J that were supplied, most of it ({:.3g} J) "

@@ -148,7 +148,7 @@ HoldEntry read_hold(formats::TableReader& table) {
   read_frame(table, entry);
   read_at(table, entry);
   entry.is_loose = table.boolean(
-      "loose", {.doc = "true: the hold only keeps the gear from drifting, and bears nothing in equilibrium",
+      "loose", {.doc = "true: the hold only keeps the gear from drifting, and bears no force in equilibrium",
                 .fallback = false});
   entry.name =
       table.text("name", {.doc = "name of the reaction", .fallback = entry.on.empty() ? "" : entry.on[0]});

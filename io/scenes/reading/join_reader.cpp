@@ -27,9 +27,11 @@ void JoinReader::join_by_others(Joiner& joiner) const {
 void JoinReader::read_join(formats::TableReader& table, Joiner& joiner) {
   const int errors_before = diagnostics_.errors();
   const bool together = table.boolean("together", {.doc = "all nodes become one", .fallback = false});
-  const auto points =
-      table.texts("points", {.doc = "points or edges that become one: two or more, or one that is gathered",
-                             .count = {.least = together ? 1u : 2u}});
+  const auto points = table.texts(
+      "points",
+      {.doc =
+           "two or more points or edges that are joined, or one edge whose nodes are gathered in one point",
+       .count = {.least = together ? 1u : 2u}});
   if (diagnostics_.errors() > errors_before) return;
   formats::report({"joining", points[0], joins_.size(), "joins"});
   std::vector<Joiner::Ends> sets;

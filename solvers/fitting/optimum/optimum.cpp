@@ -98,7 +98,8 @@ class Search {
 
   std::string why_stuck() const {
     if (at_.point.violation > options_.feasibility)
-      return "no point near the last one violates the constraints less: they contradict each other there";
+      return "near the last point, none violates the constraints less: the constraints contradict each other "
+             "there";
     return has_failed_ ? "the model has no solution in the direction in which the slopes point"
                        : "no step improves the point, although its slopes promise that: the figures may "
                          "have kinks there";

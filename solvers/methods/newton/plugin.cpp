@@ -21,12 +21,12 @@ NETLOFT_PLUGIN("newton", "0.1.0", "Newton's method, as published and globalised"
               "damping below this is set to zero, where the tangent is symmetric",
               {.lo = 1e-15, .hi = 1e-3, .fallback = 1e-7});
   newton.real("most_damping", &Newton::Parameters::most_damping, "1",
-              "damping at which the method gives up: with 1 a convex energy cannot rise, but then the matrix "
-              "of a time step in which a rope snaps taut has no factor",
+              "damping at which the method gives up; with 1, a convex energy cannot rise, but no matrix can "
+              "be factorised in time steps in which a rope snaps taut",
               {.lo = 1, .hi = 1e6, .fallback = 64});
   newton.real("factor", &Newton::Parameters::factor, "1",
-              "factor by which damping falls after a step of more than half the length or at round-off, and "
-              "rises where no step is found",
+              "damping is divided by this after a step of more than half the length or at round-off, and "
+              "multiplied by it where no step is found",
               {.lo = 1.1, .hi = 1e3, .fallback = 8});
   newton.real("flatness", &Newton::Parameters::flatness, "1",
               "fraction of the slope that may be left where a search along a line ends: with 0.1, a cod-end "

@@ -8,10 +8,10 @@ NETLOFT_PLUGIN("ptc", "0.2.0", "pseudo-transient continuation") {
   auto& ptc = plugin.solver<PseudoTransient>(
       "ptc", "pseudo-transient continuation in the metric of the linear stiffness, by implicit Euler steps");
   ptc.integer("corrections", &P::corrections,
-              "corrections after which a step is repeated with half its length; if half as many suffice, the "
-              "next step is twice as long",
+              "number of corrections after which a step is repeated with half its length; after half as "
+              "many, the next step is twice as long",
               2, 1000, 8);
   ptc.real("solved", &P::solved, "1",
-           "largest length of the last correction of a step, as a fraction of the step",
+           "a step has converged when its last correction is shorter than this fraction of the step",
            {.lo = 1e-12, .hi = 0.5, .fallback = 0.01});
 }

@@ -34,8 +34,8 @@ const Row kTable[] = {
     // On the finer mesh, the strategy has to find out which members are slack. Newton's method does this
     // member by member, tension/only does it for all members at once.
     {{"coarse-to-fine", "coarse-to-fine", "by=auto:restarts=0,then=tension/only",
-      "a coarser mesh costs a fraction of the work and leads near the solution; the step from there finds "
-      "out which members are slack"},
+      "a coarser mesh costs a fraction of the work and leads near the solution; the step to the fine mesh "
+      "decides which members are slack"},
      [](const Kind& k) { return k.has_meshes && k.has_loaded_members; }},
     {{"coarse-to-fine", "coarse-to-fine", "by=auto:restarts=0",
       "a coarser mesh costs a fraction of the work and leads near the solution"},
@@ -45,7 +45,7 @@ const Row kTable[] = {
      [](const Kind& k) { return k.has_loaded_members; }},
     // Relaxation takes more steps on a finer mesh and is therefore tried after the attempts above. For long
     // lines with 12 000 unknowns it took eight times as long as tension-stages.
-    {{"relaxed", "relaxed", "", "elements stick and slide, and no tangent predicts that"},
+    {{"relaxed", "relaxed", "", "elements change between sticking and sliding, which no tangent predicts"},
      [](const Kind& k) { return k.sticks; }},
     {{"direct", "direct", "", "the start may be near the solution"}, [](const Kind&) { return true; }},
     {{"stiffness-steps", "stiffness-steps", "",

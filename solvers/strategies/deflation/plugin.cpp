@@ -98,6 +98,6 @@ NETLOFT_PLUGIN("deflation", "0.1.0", "Several equilibria, by deflation") {
       "One equilibrium, then others, stable or not, with the known ones divided out of the equations");
   using P = Deflation::Parameters;
   s.strategy("by", &P::by, "strategy that finds the first equilibrium", "auto");
-  s.integer("searches", &P::searches, "how often to look for another equilibrium", 0, 1000, 10);
-  s.integer("iterations", &P::iterations, "steps of Newton's method in one search", 1, 100000, 100);
+  s.integer("searches", &P::searches, "number of searches for another equilibrium", 0, 1000, 10);
+  s.integer("iterations", &P::iterations, "largest number of Newton steps in one search", 1, 100000, 100);
 }

@@ -5,7 +5,9 @@ using namespace netloft::tension;
 
 NETLOFT_PLUGIN("tension", "0.1.0", "Strategies whose unknowns are the tensions of ropes and twines") {
   Only::describe(plugin.strategy<Only>(
-      "only", "Solves with members that bear tension only, and from that equilibrium the scene itself"));
+      "only",
+      "Solves the scene with members that bear tension only, then the scene itself from that equilibrium"));
   FromSoft::describe(plugin.strategy<FromSoft>(
-      "stages", "Solves from soft to stiff with tensions as unknowns, and from the result the scene itself"));
+      "stages",
+      "Solves with growing stiffness and tensions as unknowns, then the scene itself from the result"));
 }

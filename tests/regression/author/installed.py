@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Netloft as an author of plugins meets it: installed somewhere, in an environment that knows of nothing else.
+"""Netloft as an author of plugins uses it: an installation, in an environment without anything else.
 
 NETLOFT_BINARY_DIR names the build that is installed, NETLOFT_CMAKE and NETLOFT_COMPILER the tools of the author.
 """
@@ -27,7 +27,7 @@ class Finished:
 
 
 class Installation:
-    """A prefix in a fresh folder, laid down by `cmake --install` and moved once, so that no path of it is fixed."""
+    """An installation by `cmake --install` in a new folder, moved once, so that it contains no fixed path."""
 
     def __init__(self, folder):
         laid = folder / "laid"
@@ -71,7 +71,7 @@ class WithInstallation(unittest.TestCase):
 
 
 def code_lines(file):
-    """Lines that say something to a compiler."""
+    """The lines that are neither empty nor comments."""
     return [line for line in Path(file).read_text().splitlines() if not re.match(r"^\s*(//|#(?!include)|$)", line)]
 
 

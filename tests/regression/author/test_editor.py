@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The schema in a real TOML checker and language server, Taplo (npm: @taplo/cli, @taplo/lsp): completion, and a wrong key named.
+"""The schema in a real TOML checker and language server, Taplo (npm: @taplo/cli, @taplo/lsp): it completes keys and reports a wrong one.
 
 Skipped where they are not installed: `npm install --prefix FOLDER @taplo/cli @taplo/lsp`, and FOLDER in NETLOFT_TAPLO.
 """

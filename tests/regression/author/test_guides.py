@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every block of the guides, in its order, in an empty folder: files are written, commands typed, answers compared.
+"""Runs every block of the guides, in order, in an empty folder: writes files, types commands, compares outputs.
 
 ```cpp otter.cpp    a file of that name
 ```sh               lines typed into a shell; all must end with 0
-```text             what the last commands said, in this order; lines may be left out, and … stands for anything
+```text             output of the last commands, in this order; lines may be left out, and … stands for any text
 """
 import re
 import unittest

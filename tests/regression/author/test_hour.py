@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""From nothing to a tested, running plugin, with an installation and nothing else: the promises of the README in numbers."""
+"""From an installation alone to a tested, running plugin, within the limits that the README promises."""
 import json
 import unittest
 
@@ -60,8 +60,8 @@ class Hour(WithInstallation):
 
     def test_wrong_names_are_refused_with_the_reason(self):
         self.write("there", "")
-        for name, why in (("rope", "there is a plugin of that name"), ("Otter", "small letters"), ("2nd", "small letters"),
-                          ("a/b", "small letters"), ("", "small letters"), ("x" * 41, "40 at most"), ("test", "use this word already"),
+        for name, why in (("rope", "there is already a plugin of that name"), ("Otter", "small letters"), ("2nd", "small letters"),
+                          ("a/b", "small letters"), ("", "small letters"), ("x" * 41, "40 at most"), ("test", "this word already has a meaning"),
                           ("there", "a file or folder of that name exists")):
             with self.subTest(name):
                 ended = self.sh(f"netloft new element '{name}'", expect=2)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What authors do wrong by habit, each named by `netloft test` or refused by the loader; and scenes whose plugin cannot be had.
+"""Common mistakes of authors: `netloft test` must name each, or the loader refuse it; and scenes whose plugin cannot be loaded.
 
 The element is the one that `netloft new` writes, with one change.
 """
@@ -35,7 +35,7 @@ TILE = """\
     }
   };
 """
-# f = k w_z² w: along the bar, and the gradient of nothing
+# f = k w_z² w is a force along the bar, but not the gradient of an energy.
 ASYMMETRIC = """\
       out = {};
       const double g = p.k * w.z * w.z;
@@ -54,7 +54,7 @@ class Misuse(WithInstallation):
         self.source = (self.folder / "otter.cpp").read_text()
 
     def element(self, term, body="", after="", before="", traits=TRAITS):
-        """The file with another term in place of its own."""
+        """The file with its term replaced by another one."""
         begin, end = self.source.index("  struct Elastic {"), self.source.index("};\n\nNETLOFT_PLUGIN")
         text = self.source[:begin] + term.replace("BODY", body).replace("AFTER", after) + self.source[end:]
         text = text.replace("<Otter::Elastic>", traits)
@@ -136,7 +136,7 @@ class Misuse(WithInstallation):
 
 
 class Unavailable(WithInstallation):
-    """A scene whose plugin cannot be had: exit 4, one message that says which file and why, and no result."""
+    """A scene whose plugin cannot be loaded: exit 4, one message with the file and the reason, and no result."""
 
     def setUp(self):
         super().setUp()

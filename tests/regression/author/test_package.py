@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Debian package: what is in it, what it depends on, and the hour of an author who has unpacked it and nothing else."""
+"""The Debian package: its contents, its dependencies, and the first plugin of an author who has only unpacked it."""
 import os
 import subprocess
 import sys

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every program of tests/bench that is a script, on the least that it takes: what nobody runs ends by running no more.
+"""Runs every script of tests/bench on its smallest input, because scripts that nobody runs stop working unnoticed.
 
-Nothing is said here of what they measure. Each has to end with 0 and to print a row with numbers.
+The measurements are not tested. Each script must end with 0 and print a row with numbers.
 """
 import os
 import re
@@ -37,10 +37,12 @@ COMMANDS = {  # what it is called with
     "steering.py": (SOURCE,),
     "stage_counts.py": (PROGRAM, SOURCE, "--only", "cod-end"),
     "attempts.py": (PROGRAM, SOURCE, "--nodes", "100", "--only", "flume-3.0kn"),
-    # A search through all others for each thing would make ten thousand take thirty times as long as one thousand, or more.
+    # If reading one thing needed a search through all others, ten thousand would take at least thirty times
+    # as long as one thousand.
     "reading.py": (PROGRAM, "--most", "10000", "--seconds", "20", "--check", "20"),
 }
-# Minutes on the least that they take, compiling among it, and an independent integrator that is not built everywhere.
+# Benches that take minutes even at their smallest, mostly by compiling, and one that needs an integrator that
+# is not built everywhere.
 NOT_HERE = {"cold_start.py", "time_schemes.py", "real_time.py", "trawl_in_motion.py", "stability_limit.py"}
 NUMBERS = re.compile(r"\d.*\s\|?\s*\d")
 

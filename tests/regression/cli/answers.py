@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What once lost data, went wrong in silence, crashed or hung, as a command for bash, and the words of its answer.
+"""Commands for bash that once lost data, failed silently, crashed or hung, and the words of the correct answers.
 
-Commands run in a folder with `gear-library` beside them, after `prepare`; of `says`, "…" stands for what differs from machine to
-machine; `holds` is a command that succeeds if nothing was lost. Functions of PRELUDE stand for faults of the system.
+Commands run in a folder with `gear-library` beside them, after `prepare`; in `says`, "…" stands for text that depends on the machine; `holds` is a command that succeeds if nothing was lost. Functions of PRELUDE simulate faults of the system.
 """
 from dataclasses import dataclass
 
@@ -183,8 +182,8 @@ ALL = [
          {"prepare": "echo 'include = [\"gear-library/scenes/dead-weight-panel.toml\"]' > scene.toml; "
                      "optimum results/lowest_z m | sed '1s/\".*\"/\"scene.toml\"/' > o.toml", "holds": "test ! -e scene.toml~"}),
         ("netloft run $panel --strategy deflation:by=deflation -o x.hdf", 2,
-         'analysis.deflation.by: by = "deflation" leads back to deflation/deflation, which would call itself without end'),
-        ("netloft plan $panel --strategy coarse-to-fine:by=coarse-to-fine", 2, "leads back to coarse-to-fine/coarse-to-fine"),
+         'analysis.deflation.by: by = "deflation" makes deflation/deflation call itself without end'),
+        ("netloft plan $panel --strategy coarse-to-fine:by=coarse-to-fine", 2, "makes coarse-to-fine/coarse-to-fine call itself"),
         ("netloft plan gear-library/scenes/verification/towed-line.toml --solver lbfgs", 2, "lbfgs/lbfgs needs a problem that is conservative"),
         ("netloft plan $panel --solver auto", 2, '"auto" is a strategy, not a solver'),
         ("netloft run $panel --solver newmark --set analysis.work=10 -o x.hdf", 3, "the budget of work was spent at t = … without coming to rest"),
@@ -202,7 +201,7 @@ ALL = [
          "--strategy auto", 3, "not run … failed: no stages) … throws_at_a_bound:stages=0 … right 0 of 2 … auto … right 2 of 2", {"needs": "PLUGINS"}),
         ("hard_cases $suite --size small --case pressure-x-100 --strategy auto --work 1", 3, "late … right 0 of"),
         ("hard_cases $suite --update-references --set parts.rope.rope.EA=1e3", 2,
-         "--update-references keeps answers of the cases as they are written; --set changes them"),
+         "--update-references stores answers of unchanged cases only; leave out --set"),
         ("hard_cases $suite --seed -1", 2, "--seed: Value -1 not in range 0 to"),
         ("hard_cases $suite --seconds-per-case nan", 2, "--seconds-per-case: Value nan not in range 0.001 to 1000000"),
         ("hard_cases $suite -o nowhere/x.html", 2, "nowhere/x.html cannot be written: there is no folder nowhere"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One board on one warp, solved by another program: Newton's method on three angles, differences for slopes.
+"""One board on one warp, solved independently: Newton's method on three angles, with derivatives by differences.
 
 The board is a flat plate (plugins/board/plate.hpp, equations (1) to (6), written down here once more), heavy and buoyant, on a
 line without weight or drag. At rest the forces of water, weight and buoyancy have no moment about the eye, which are three
@@ -26,7 +26,7 @@ def step(t):
 
 
 def plate(w, chord, span):
-    """C_N along y, and where it acts along chord and span."""
+    """C_N along y, and its centre of pressure along chord and span."""
     c2, s = w[0]**2 + w[2]**2, abs(w[1])
     c = math.sqrt(c2)
     aspect = (span / chord) ** ((w[0]**2 - w[2]**2) / c2)
@@ -46,7 +46,7 @@ def plate(w, chord, span):
 
 
 def forces(board, angles, flow, rho, g):
-    """(force, place) pairs in the axes of the world, places from the origin of the board."""
+    """(force, point) pairs in the axes of the world; points are relative to the origin of the board."""
     R = axes(*angles)
     u = np.linalg.norm(flow)
     w = R.T @ (np.array(flow) / u)
@@ -59,7 +59,7 @@ def forces(board, angles, flow, rho, g):
 
 
 def imbalance(board, eye, angles, flow, rho, g):
-    """The moment about the eye, over its size."""
+    """The moment of all forces about the eye."""
     all_forces = forces(board, angles, flow, rho, g)
     at = axes(*angles) @ np.array(eye)
     return sum(np.cross(x - at, f) for f, x in all_forces)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""As much of JSON Schema 2020-12 as `netloft schema` uses, for machines without python3-jsonschema.
+"""The part of JSON Schema 2020-12 that `netloft schema` uses, for machines without python3-jsonschema.
 
-A keyword that is not known here is an error, so that the schema cannot outgrow its check.
+An unknown keyword is an error, so that no part of the schema is left unchecked.
 """
 import re
 
@@ -43,7 +43,7 @@ def unless(good, sentence):
 
 
 def applies(kind, rule):
-    """A check that speaks of values of one kind only."""
+    """A check that applies to values of one kind only."""
     return lambda value, limit, path: unless(not isinstance(value, kind) or isinstance(value, bool) or rule(value, limit),
                                              f"{path}: {value!r} against {limit!r}")
 

@@ -36,7 +36,7 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 
 
 def why_not():
-    """Why Slurm cannot be started here; empty: it can be tried."""
+    """Why Slurm cannot be started here; empty: a start can be tried."""
     lacking = [name for name in ("munged", "slurmctld", "slurmd", "sbatch") if not find(name)]
     if lacking:
         return f"Slurm is not installed: there is no {', '.join(lacking)} (Debian: slurmctld slurmd slurm-client munge)"

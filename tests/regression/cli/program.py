@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The program as a user meets it: a command line in a fresh folder, an exit code, two streams, files left behind.
+"""Runs the program as a user does: a command line in a new folder, with its exit code, two streams and the files that it writes.
 
 NETLOFT_PROGRAM names the program, NETLOFT_SOURCE_DIR the source tree.
 """
@@ -16,8 +16,9 @@ PROGRAM = os.environ["NETLOFT_PROGRAM"]
 HARD_CASES = str(Path(PROGRAM).with_name("hard_cases"))
 SOURCE = Path(os.environ["NETLOFT_SOURCE_DIR"])
 
-# A panel of 4 x 4 meshes hangs from its fore edge and carries a rope along its aft edge. Wrong scenes are this one
-# with a change that keeps the lines above it in place; so the expected places can be counted here.
+# A panel of 4 x 4 meshes hangs from its fore edge and carries a rope along its aft edge. Wrong scenes are
+# this scene with a change that does not move the lines above it, so that the expected line numbers can be
+# counted here.
 GOOD = """\
 [water]
 density = 1025
@@ -53,7 +54,7 @@ lowest_z = { of = "net", take = "min z" }
 
 
 def changed(text, *changes):
-    """`text` with each (old, new) put in; an old one that is not there is a mistake in the test."""
+    """`text` with each (old, new) replaced; an old text that is missing is a mistake in the test."""
     for old, new in changes:
         assert text.count(old) >= 1, f"not in the scene: {old}"
         text = text.replace(old, new, 1)
@@ -61,7 +62,7 @@ def changed(text, *changes):
 
 
 def write_many_parts(folder, number):
-    """scene.toml of a chain of so many ropes, written as the bench of reading does."""
+    """Writes scene.toml with a chain of this number of ropes, like tests/bench/reading.py."""
     spec = importlib.util.spec_from_file_location("reading", SOURCE / "tests/bench/reading.py")
     bench = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(bench)
@@ -72,7 +73,7 @@ class Finished:
     def __init__(self, process):
         self.code = process.returncode
         self.out = process.stdout.decode("utf-8", "replace")
-        # Anything takes longer than the second after which there are signs of life, on a machine that is busy enough.
+        # On a busy machine, any command may take longer than a second, after which progress is printed.
         self.err = re.sub(r'(?m)^(progress |\{"event": "progress", ).*\n', "", process.stderr.decode("utf-8", "replace"))
 
     def json(self):
@@ -95,7 +96,7 @@ class InFreshFolder(unittest.TestCase):
         return name
 
     def command(self, *words):
-        """Of netloft, or where the first word is hard_cases, of that program beside it."""
+        """Runs netloft or, if the first word is hard_cases, that program in the same folder."""
         return [HARD_CASES, *words[1:]] if words[:1] == ("hard_cases",) else [PROGRAM, *words]
 
     def environment(self, **more):
@@ -106,7 +107,7 @@ class InFreshFolder(unittest.TestCase):
                                        capture_output=True, timeout=120, env=environment or self.environment(), **how))
 
     def cut_journal(self, size, result, *words):
-        """Leaves of a motion what a kill leaves, whenever it may come: whole outputs and a part of the next one, `size` bytes."""
+        """Cuts the journal of a motion as a kill may: it keeps whole outputs and `size` bytes of the next one."""
         in_the_way = self.folder / f"{result}.new"
         in_the_way.mkdir()  # its outputs stay a journal
         stuck = self.netloft("run", *words, "-o", result)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every command of answers.py is answered in its words, and io/program/MESSAGES.md shows them; --write writes that page."""
+"""Every command of answers.py has the expected answer, and io/program/MESSAGES.md shows it; --write writes that page."""
 import os
 import re
 import subprocess

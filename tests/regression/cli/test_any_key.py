@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Nonsense at any key of the library's scenes, with their gears: an answer with its place, and no crash.
+"""Random values at any key of the library's scenes and gears: the message must have a place, without a crash.
 
     test_any_key.py [DRAWS [SEED]]        60 draws of seed 1 as a test; thousands by hand
 """
@@ -16,7 +16,7 @@ NAMES = ("83-112-at-sea-66m", "gov-like-67m", "pelagic-with-doors", "pair-trawl"
          "dynamics/trawl-speeds-up", "hanging-rope", "dynamics/panel-in-current")
 VALUES = ('"x"', "-1", "0", "[]", "{}", "1e300", "nan", '""', "true", "[[1,2,3]]", "{ a = 1 }", '"1 kg"', '"../../x"', "[1,2,3]", "99999999999",
           '"headline.end"', '"door"', '["door","door"]', '"rope/bar"')
-# Keys that a scene may have and that not all of them have.
+# Keys that scenes may have, but not all scenes have.
 MORE = ("bodies.other.board.lift", "bodies.other.type", "parts.other.type", "elements.other.type", "ship.warp.length_port", "ship.warp.to",
         "bodies.door.turned.heel", "bodies.door.turns", "bodies.door.stands", "bed.relief", "bed.slope_x", "results.other.of", "points.other.at",
         "floats.other", "panels.other", "ropes.other", "gear.extent", "tow.leeway", "hold", "join", "hang", "parts", "bodies", "analysis",
@@ -32,7 +32,7 @@ def merge(whole, part):
 
 
 def read(file):
-    """A scene with what it includes."""
+    """A scene with the files that it includes."""
     own, whole = tomllib.loads(file.read_text()), {}
     for name in own.pop("include", []):
         merge(whole, read(file.parent / name))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One otter board on one warp against another program and closed forms, from any attitude; named boards and polars."""
+"""One otter board on one warp, from any attitude, compared with another program and closed forms; boards by name and polars."""
 import math
 import random
 import re
@@ -65,7 +65,7 @@ class Boards(InFreshFolder):
         return ended.json()["gear"]["figures"]
 
     def test_a_board_on_a_warp_stands_where_another_program_has_it(self):
-        """Attitudes that it has from many starts; all rest, by all eigenvalues of their motion."""
+        """Attitudes that it reaches from many starts; all are stable by the eigenvalues of their motion."""
         for eye, status in ((EYE, "converged"), ((-0.49, -0.5, 0.29), "converged"), ((-0.2, -0.5, 0), "converged")):
             report = self.run_scene(changed(ONE, ("[-0.3, -0.8, 0.05]", str(list(eye))))).json()
             self.assertEqual(report["status"], status, report["reason"])
@@ -76,7 +76,7 @@ class Boards(InFreshFolder):
             np.testing.assert_allclose(eye_at / np.linalg.norm(eye_at), force / np.linalg.norm(force), atol=1e-8)
 
     def test_a_board_that_floats_turns_until_its_pressure_meets_its_eye(self):
-        """tan α = K_p ((1/2 - ξ0) chord/e - 1)/K_v, where the eye lies e ahead of the middle; weight and buoyancy keep it upright."""
+        """tan α = K_p ((1/2 - ξ0) chord/e - 1)/K_v, where the eye is e ahead of the middle; weight and buoyancy keep the board upright."""
         chord, span, e = 2.7, 1.8, 0.45
         A = span / chord
         Kp, xi = 2 * math.pi * A / (2 + math.sqrt(A * A + 4)), 0.25 * A**1.25 / (A**1.25 + 0.48)
@@ -87,7 +87,7 @@ class Boards(InFreshFolder):
         np.testing.assert_allclose(angles_of(self.figures(light)), [attack, 0, 0], atol=1e-8)
 
     def test_a_wire_lies_deeper_where_the_bottom_is_softer(self):
-        """A wire of weight w per metre lies half the softness and w/k deep."""
+        """A wire of weight w per metre sinks into the bed by half the softness plus w/k."""
         wire = """\
 [parts.wire]
 type = "rope/bar"
@@ -122,8 +122,7 @@ z = { of = "wire.end", take = "min z" }
             self.assertAlmostEqual(-z, 20 + 0.0005 + w / (1000 * factor), delta=1e-9)
 
     def test_from_any_attitude_it_finds_an_equilibrium_or_says_that_it_does_not(self):
-        """Two attitudes are stable, found by the other program from 150 starts: it sheers out to starboard or to port. In others it
-        is in balance, too, but swings, and a run that finds no other in as much work again says so and ends."""
+        """Two attitudes are stable, found by the other program from 150 starts: it sheers out to starboard or to port. In other attitudes it is in balance, too, but swings; a run that finds no stable one with as much work again reports this."""
         stable = [np.radians(a) for a in ((72.064944612, 35.624608949, 30.538656910), (-24.7506, 61.4105, 20.1022))]
         stable = [attitude(BOARD, EYE, FLOW, a)[0] for a in stable]
         chance, found = random.Random(23), [0, 0]
@@ -142,7 +141,7 @@ z = { of = "wire.end", take = "min z" }
         self.assertGreater(min(found), 0)
 
     def test_a_cambered_board_on_one_warp_rests_in_no_attitude(self):
-        """From 20 attitudes by chance: wherever one warp has it in balance it turns over or swings, and without masses two seemed stable."""
+        """From 20 random attitudes: every balance on one warp is unstable (the board turns over or swings); two seem stable without masses."""
         chance, found = random.Random(23), []
         for _ in range(20):
             report = self.run_scene(turned(NAMED, [chance.uniform(-most, most) for most in (3.1, 1.2, 1.2)])).json()
@@ -153,8 +152,7 @@ z = { of = "wire.end", take = "min z" }
         self.assertGreater(len(found), 10)
 
     def test_restarts_find_the_other_attitudes_of_a_cambered_board(self):
-        """Its eye lies where the lines of force at two angles of its tables meet, so that it balances at both: 30 degrees, and -40 with
-        the suction inboard. It rests at either; restarts from the one find the other, and a third in between."""
+        """Its eye is at the intersection of the lines of force at two angles of its tables, so that it balances at both: 30 degrees, and -40 with the suction inboard. Both are stable; restarts from one find the other and a third one between them."""
         angles, lift = [-60, -40, -20, -5, 5, 15, 30, 45, 60], [-.55, -.70, -.45, -.05, .55, 1.12, 1.699, 1.35, .95]
         drag, nose = [1.25, .75, .30, .12, .18, .463, 1.14, 1.45, 1.6], [.47, None, .30, .25, .55, .45, .42, .46, .48]
         chord, inboard = 1.9, -0.2
@@ -182,7 +180,7 @@ z = { of = "wire.end", take = "min z" }
         np.testing.assert_allclose([heading["least"], heading["largest"]], np.radians([-40, 30]), atol=1e-8)
 
     def test_a_kite_of_the_catalogue_lifts(self):
-        """Laid flat, the side of its suction up, nose up by 20 degrees: the force of a plate, upwards; with the other side up it is a depressor."""
+        """A board that is laid flat, with its suction side up and its nose up by 20 degrees, has the lift of a plate; with the other side up it is a depressor."""
         line = changed(NAMED, ('board = "cambered-vertical-4m2"', 'board = "kite-0.7m2"\nturns = "not"'), ("at = [80, 30, -50]", "at = [98, 0, 0]"),
                        ("[80, 30, -50]]", "[98, 0, 0]]"), ("door.warp", "door.front"))
         line += '[[hold]]\non = "door.origin"\naxes = "yz"\n'
@@ -198,7 +196,7 @@ z = { of = "wire.end", take = "min z" }
             self.assertAlmostEqual(figures["body_forces/door/water/z"] / (lifts * force), 1, delta=1e-9)
 
     def test_boards_of_the_catalogue_have_the_forces_that_their_sources_give(self):
-        """"0.80 and 0.65 at 40 deg" is what the law of the plate gives there with the factors of the board, to the digits that are given."""
+        """"0.80 and 0.65 at 40 deg" are the coefficients of the law of the plate with the factors of the board, to the digits that are given."""
         boards = tomllib.loads((SOURCE / "gear-library/catalogue/boards.toml").read_text())["board"]
         number = lambda text: float(text.split()[0])
         found = 0
@@ -214,7 +212,7 @@ z = { of = "wire.end", take = "min z" }
         self.assertGreaterEqual(found, 3)
 
     def test_leaving_a_polar_is_said(self):
-        """The polar of the catalogue's cambered board begins at 15 degrees; turned inward the water passes it from behind."""
+        """The polar of the catalogue's cambered board begins at 15 degrees; if the board is turned inward, the water meets its back."""
         outside = self.run_scene(turned(NAMED, np.radians((-40, 20, 20)))).json()["warnings"]
         self.assertTrue(any("door" in w and "do not cover the direction of the flow" in w for w in outside), outside)
 
@@ -257,7 +255,7 @@ class Towed(InFreshFolder):
         self.assertGreater(half["pairs/door/spread"], 6, "boards spread farther than the blocks")
 
     def test_power_of_towing_goes_into_the_parts(self):
-        """They add up to pull times speed."""
+        """The powers add up to pull times speed."""
         text = changed(SHIP, ('speed = "2 kn"', 'speed = "2 kn"\nefficiency = 0.12')) + SHOE
         figures = self.figures(text)
         parts = {name: value for name, value in figures.items() if name.startswith("power/")}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rigid bodies from a scene to a result: named points, sides, attitude, what stands on them, motion."""
+"""Rigid bodies from a scene to a result: named points, sides, attitude, elements on their points, motion."""
 import math
 import unittest
 
@@ -8,7 +8,7 @@ import numpy as np
 from program import InFreshFolder, changed
 from wrong_bodies import HANGING
 
-# The tail hangs from a point aft of the eye and the centre of mass lies off the line between them.
+# The tail hangs from a point aft of the eye; the centre of mass is not on the line between them.
 LEANING = changed(HANGING, ("mass = \"800 kg\"", "mass = \"800 kg\", centre_x = 0.2, inertia_x = 60, inertia_y = 60, inertia_z = 60"),
                   ("[results]\n", "[results]\ntrim = { of = \"clump\", take = \"trim\" }\neye = { of = \"clump.eye\", take = \"z\" }\nx = { of = \"clump\", take = \"x\" }\n"))
 
@@ -39,7 +39,7 @@ class Bodies(InFreshFolder):
         weight = 800 * g
         lift = 0.1 * rho * g
         tail = math.pi / 4 * 0.02**2 * (7000 - rho) * g * 5
-        # levers from the eye in body axes: mass (0.2, -0.5), volume (0, -0.5), tail (0.1, -1)
+        # lever arms from the eye in body axes: mass (0.2, -0.5), volume (0, -0.5), tail (0.1, -1)
         x = weight * 0.2 + tail * 0.1
         z = (weight - lift) * 0.5 + tail * 1.0
         figures = report["gear"]["figures"]
@@ -60,7 +60,7 @@ class Bodies(InFreshFolder):
             self.assertTrue(np.isnan(f["VTKHDF/PointData/rotation"][:][others]).all())
 
     def test_port_is_the_mirror_image_of_starboard(self):
-        """A current across, and a body pulled outward of its middle: one word and a sign make the other side."""
+        """A body in a current across the gear, pulled at a point outward of its middle: `side` and the sign of the current make its mirror image."""
         outward = changed(HANGING, ("foot = [0.1, 0, -0.5]", "foot = [0.1, 0.3, -0.5]"),
                           ("volume = 0.1 }", 'volume = 0.1, centre_y = 0.2, drag_x = 1, drag_y = 2, drag_z = 1 }\nturned = { heel = "10 deg" }'),
                           ("[parts.warp]", "[water]\ncurrent = [0.5, 0.8, 0]\n[parts.warp]"))
@@ -88,7 +88,7 @@ class Bodies(InFreshFolder):
         self.assertGreater(abs(loaded - plain), 1e-3)
 
     def test_a_force_turns_with_the_body_or_keeps_its_direction(self):
-        """At a point by its name, the same at the start and apart once the body has turned; alike on both sides."""
+        """Two loads on named points that coincide at the start and separate when the body turns; the same on both sides."""
         one_axis = changed(LEANING, ("points = {", 'turns = "about x"\npoints = {'))
         text = one_axis + '[parts.push]\ntype = "force/body"\non = "clump.foot"\nforce = { y = "300 N" }\n'
         figures = self.run_scene(text)["gear"]["figures"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A scene that cannot be meant is answered with a sentence that has the part and the number, and with a cure."""
+"""An implausible scene gets a message with the part and the number, and a hint."""
 import re
 import unittest
 from dataclasses import dataclass
@@ -88,7 +88,7 @@ on = "beam.origin"
 
 @dataclass
 class Meant:
-    """`plan` reads a scene without computing it; its answer is that of `run` before anything is computed."""
+    """`plan` reads a scene without computing it; its messages are those of `run` before anything is computed."""
     name: str
     scene: str
     says: str
@@ -204,7 +204,7 @@ ALL = [
 
 
 def rope(**numbers):
-    """ROPE with other numbers of its material."""
+    """ROPE with other material properties."""
     given = dict(diameter='"20 mm"', EA='"50 kN"', density="1500") | numbers
     return changed('diameter = "20 mm", EA = "50 kN", density = 1500', ", ".join(f"{k} = {v}" for k, v in given.items()))
 
@@ -248,7 +248,8 @@ def pulled(metres):
         '"12 m"', '"5 m"').replace("1500", "1025")
 
 
-# Each limit with a number that is within a tenth of it on the silent side, and one on the other.
+# For each limit, a number just inside it, without a warning, and one just outside it; both are within a tenth
+# of the limit.
 LIMITS = [
     ("lightest water", water("density = 910"), water("density = 890"), r"water.density = 890"),
     ("heaviest water", water("density = 1240"), water("density = 1260"), r"water.density = 1260"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A catch in netting that is cut into several panels: cuts that are sewn up again mesh to mesh change nothing."""
+"""A catch in netting that is cut into several panels: panels that are cut and sewn together again mesh to mesh give the same result."""
 import math
 import unittest
 
@@ -21,7 +21,7 @@ OPEN = 'sides = "AN"\nopen = "fore"'
 TWO_SIDES = 'sides = [{{ name = "a", cut = "AN", depth = {} }}, {{ name = "b", cut = "AN" }}]\nopen = "fore"'
 TAPER = ('aft = 20\nsides = "3N2B in"', 'aft = 20\nsides = "3N2B in"\nopen = "fore"')
 
-# name -> text of the plan, panels from the fore end on each side, first those above
+# name -> text of the plan, and panels from the fore end on each side, upper panels first
 CUTS = {
     "whole": (panel("upper", 52, more=OPEN) + panel("lower", 52, more=OPEN)
               + sewn(("upper.sides", "lower.sides"), ("upper.aft", "lower.aft")), ["upper"], ["lower"]),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Results whose bytes are whole, and whose numbers do not fit one another."""
+"""Results with undamaged bytes whose numbers contradict each other."""
 import shutil
 import unittest
 
@@ -73,7 +73,7 @@ class Changed(InFreshFolder):
     def test_a_group_that_holds_itself(self):
         def change(f):
             f["netloft/scalars/again"] = f["netloft/scalars"]
-        self.check(change, "is a group that is also in another place, possibly in itself")
+        self.check(change, "is a group that also appears in another group, possibly in itself")
 
     def test_a_part_that_is_no_number(self):
         self.check(lambda f: f["VTKHDF/CellData/part"].__setitem__(0, -7), "it has a part without a number")

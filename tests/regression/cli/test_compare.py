@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Speed against error: `compare`, and the errors that `run` prints beside its results."""
+"""`compare`, which shows speed and error, and the errors that `run` prints beside its results."""
 import csv
 import io
 import math
@@ -16,7 +16,8 @@ PENDULUM = str(SCENES / "dynamics" / "elastic-pendulum.toml")
 COARSE = ["--set", "parts.net.cells=[8,8]"]
 BARS = ["--set", "parts.rope.cells=40"]
 
-# A bar that stands on its foot, a little askew: the classic method stays where it stands, the other lets it fall.
+# A bar that stands nearly upright on its foot: the classic method leaves it there, the globalised one lets it
+# fall.
 STANDING = """\
 [water]
 density = 0
@@ -76,7 +77,8 @@ class Comparisons(InFreshFolder):
                              "--tolerance", "1e-10", "--json")
         self.assertEqual(ended.code, 0, ended.err)
         method = ended.json()["methods"][0]
-        # It stands on top of where it hangs: about two lengths away, higher by m g times two lengths.
+        # The standing bar is about two lengths away from the hanging one, and its energy is higher by m g
+        # times two lengths.
         weight = math.pi / 4 * 0.02**2 * 2000 * 9.80665
         self.assertAlmostEqual(method["other_equilibrium"]["distance"], 2, delta=1e-3)
         self.assertAlmostEqual(method["other_equilibrium"]["energy_difference"], weight, delta=1e-3 * weight)
@@ -91,7 +93,7 @@ class Comparisons(InFreshFolder):
         self.assertTrue(mesh["steady"])
         self.assertAlmostEqual(mesh["order"], 2, delta=0.1)
         self.assertEqual([level["cells"] for level in mesh["levels"]], [20, 40, 80])
-        # The lowest point of the catenary is a node of all of them, and the farthest from its place: the closed form
+        # The lowest point of the catenary is a node on all meshes, and has the largest error: the closed form
         # in the scene's first lines says where it should be.
         for level in mesh["levels"]:
             own = self.netloft("run", ROPE, "--json", "--set", f"parts.rope.cells={level['cells']}").json()
@@ -234,7 +236,7 @@ class Motions(InFreshFolder):
         self.assertAlmostEqual(report["integrators"][0]["trials"][0]["error"], apart, delta=1e-9 * apart)
 
     def test_that_are_lost_are_called_lost(self):
-        """Steps that are far too long for the paper's fixed point, which no control of errors shortens."""
+        """Steps of constant length that are far too long for the fixed-point iteration of the paper."""
         ended = self.compare("--integrator", "newmark:corrector=fixed-point", "--integrator", "energy-momentum", "--accuracy",
                              "1e-1", "--set", "analysis.adaptive=false", "--set", "analysis.step=0.1", "-o", "a.svg",
                              "-o", "a.csv")
@@ -295,7 +297,7 @@ class Errors(InFreshFolder):
         self.assertIn("(order 2.0)", line)
 
     def test_of_the_mesh_are_true(self):
-        # Closed form, in the scene's first lines.
+        # Values of the closed form in the first lines of the scene.
         exact = {"horizontal_tension": 2.99708988, "sag_z": -2.95736530, "end_tension": 5.82945518}
         for bars in ("16", "40", "200"):
             report = self.netloft("run", ROPE, "--error", "--json", "--set", "parts.rope.cells=" + bars).json()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What of a net plan touches the bed: [elements.contact] stands for parts that one could write by hand."""
+"""The parts of a net plan that touch the bed: [elements.contact] is equivalent to parts written by hand."""
 import unittest
 
 from program import SOURCE, InFreshFolder
@@ -141,7 +141,7 @@ class Contact(InFreshFolder):
         self.assertGreater(figures["bodies/door/above_bed"], 0.5, "a board of 1.8 m stands on its shoe")
 
     def test_pieces_along_a_rope_lift_it_off_the_bed(self):
-        """Half the diameter of the largest."""
+        """Half the diameter of the largest piece."""
         discs = '[floats.discs]\nfloat = { diameter = "400 mm", volume = 0, mass = "1 kg" }\nspread = "200 along footrope"\n'
         lowest = '[results]\nz = { of = "footrope", take = "min z" }\n'
         scene = PLAIN + BY_PLAN.replace('seabed = { radius = "100 mm" }\n', "") + lowest

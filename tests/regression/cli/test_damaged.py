@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Results and journals with flipped bits: every command says so, names the dataset, and shows no wrong number."""
+"""Results and journals with flipped bits: every command must report it, name the dataset, and show no wrong number."""
 import random
 import re
 import unittest
@@ -19,7 +19,7 @@ def commands_on(name, whole):
 
 
 def ranges_of(whole):
-    """(path, place, length) of every dataset, by the table of checksums at the end of a result."""
+    """(path, offset, length) of every dataset, by the table of checksums at the end of a result."""
     table = whole[whole.rindex(b"netloft checksums 1\n"):].decode().splitlines()[1:-2]
     return [(path, int(place), int(length)) for _, place, length, path in (line.split(" ", 3) for line in table)]
 
@@ -86,7 +86,7 @@ class Damaged(InFreshFolder):
     def test_journal_is_refused_by_every_command(self):
         part, whole = self.journal_of_a_killed_run()
         draw = random.Random(SEED)
-        # What comes after the last whole record is none, and does not count.
+        # Bytes after the last whole record are no record, and do not count.
         self.assertEqual(self.netloft("report", part.name).code, 3)
         self.write("other.hdf.part", whole)
         every = (*commands_on(part.name, "other.hdf.part"), ["run", *MOTION, "-o", "damaged.hdf"])
@@ -122,7 +122,7 @@ class Damaged(InFreshFolder):
                 numpy.testing.assert_array_equal(after[name][()], wanted[name][()], name)
 
     def test_gets_a_sentence_and_no_crash_where_hdf5_meets_it(self):
-        """Without its table of checksums, as of an older version: what HDF5 makes of it is a sentence in the end."""
+        """Without its table of checksums, as in an older version, errors of HDF5 must become a message."""
         self.write("a.toml", GOOD)
         self.assertEqual(self.netloft("run", "a.toml").code, 0)
         whole, draw = (self.folder / "a.hdf").read_bytes(), random.Random(SEED)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""`netloft serve` as a program meets it: the examples of DESIGN.md in their order, what is saved, and requests that are none of its business."""
+"""`netloft serve` as used by a program: the examples of DESIGN.md in their order, saved files, and requests that it must refuse."""
 import concurrent.futures
 import http.client
 import json
@@ -19,7 +19,7 @@ SCENE = "gear-library/scenes/83-112-flume-3.0kn.toml"
 
 
 class Served:
-    """A program that serves a scene of the library, or one with this text, in a folder of its own."""
+    """A program that serves a scene of the library, or one with this text, in a separate folder."""
 
     def __init__(self, scene=SCENE, command="serve", text=None):
         self.keeper = tempfile.TemporaryDirectory()

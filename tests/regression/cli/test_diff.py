@@ -35,7 +35,8 @@ class Differences(InFreshFolder):
                     self.assertEqual((row["before"], row["after"]), (f[at][()], g[at][()]))
                     self.assertAlmostEqual(row["difference"], row["after"] - row["before"])
                     self.assertAlmostEqual(row["percent"], 100 * row["difference"] / abs(row["before"]))
-        # The net's weight in water grows with its density less that of the water, and the hold carries it.
+        # The weight of the net in water grows with the difference between its density and that of the water;
+        # the hold bears it.
         self.assertAlmostEqual(rows["forces/weight/net/z"]["percent"], -100 * 600 / (2000 - 1025), places=6)
         self.assertEqual(rows["forces/weight/rope/z"]["difference"], 0)
         self.assertLess(rows["results/lowest_z"]["after"], rows["results/lowest_z"]["before"])
@@ -100,7 +101,7 @@ class Differences(InFreshFolder):
 
     def test_says_that_comments_alone_changed(self):
         a, b = self.run_scene("a", GOOD), self.run_scene("b", changed(GOOD, ("[water]\n", "[water]\n# colder\n")))
-        self.assertEqual(self.diff(a, b).out.splitlines()[2], "inputs: the same but for comments and spaces")
+        self.assertEqual(self.diff(a, b).out.splitlines()[2], "inputs: the same apart from comments and spaces")
 
     def test_begins_with_what_changed_in_the_input_and_the_figures(self):
         a, b = self.run_scene("a", GOOD), self.run_scene("b", changed(GOOD, HEAVIER))

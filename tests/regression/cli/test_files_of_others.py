@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Results, journals and studies that somebody else made: every command answers each of them, and reads, writes, prints and runs nothing
-that is not the file's own."""
+"""Results, journals and studies that somebody else made: every command must give an answer, and must not read, write, print or run anything outside the file."""
 import csv
 import io
 import json
@@ -48,7 +47,7 @@ class OfOthers(InFreshFolder):
         return cells
 
     def answer(self, *words, writes=()):
-        """What a command says. It ends, writes at most these files, and neither shows anything foreign nor speaks to the terminal."""
+        """The output of a command, which must end, write at most these files, and print neither foreign data nor control characters."""
         before = self.everything()
         ended = self.netloft(*words)
         after = self.everything()
@@ -96,7 +95,7 @@ class Results(OfOthers):
 
     @unittest.skipUnless(shutil.which("cc"), "needs a C compiler")
     def test_load_no_filters(self):
-        """HDF5 would look for one that it does not know among the plugins of its own, which it opens to see what they are."""
+        """For an unknown filter, HDF5 would search its folder of plugins and load each of them."""
         self.write("filter.c", '#include <stdio.h>\n__attribute__((constructor)) static void run(void) { fclose(fopen("EXECUTED", "w")); }\n')
         subprocess.run(["cc", "-shared", "-fPIC", "filter.c", "-o", "libfilter.so"], cwd=self.folder, check=True)
 
@@ -240,14 +239,15 @@ class Studies(OfOthers):
             self.answer("study", *words, writes=own)
 
     def test_whose_file_is_called_like_a_command_run_none(self):
-        """The name of a study file becomes that of the study, a comment of its scripts, and a word for Slurm."""
+        """The name of a study file becomes the name of the study, which appears in comments of scripts and as an argument of Slurm."""
         name = "$(touch EXECUTED) `touch EXECUTED` '; touch EXECUTED; --wrap=x"
         self.write(f"{name}.toml", STUDY)
         planned = self.netloft("study", "plan", f"{name}.toml", "-o", "c.study")
         self.assertEqual(planned.code, 0, planned.err)
         tools = self.outer / "tools"
         tools.mkdir()
-        # GNU parallel with one job: the last word is a command for a shell, once for each line.
+        # A stand-in for GNU parallel with one job: runs its last argument as a shell command, once for each
+        # line of input.
         (tools / "parallel").write_text('#!/usr/bin/env bash\nfor last; do :; done\n'
                                         'while read -r item; do bash -c "${last//\\{\\}/$item}" || exit; done\n')
         (tools / "parallel").chmod(0o755)
@@ -273,7 +273,7 @@ class Studies(OfOthers):
 
 class Scenes(OfOthers):
     def test_do_not_speak_to_the_terminal(self):
-        """Nor do their names become those of results."""
+        """Names from these files do not become names of result files either."""
         for old, new, says in (("[parts.rope]", '[parts."ro\\u009b31mpe"]', "must not contain control characters"),
                                ('"=2+3"', '"\\u001b[31m"', "must not contain control characters"),
                                ('type = "rope/bar"', 'type = "rope/\\u009b31m"', "\\\\u009b31m")):

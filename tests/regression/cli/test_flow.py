@@ -52,7 +52,7 @@ class Flow(InFreshFolder):
         return self.solve(text)["results"]
 
     def test_a_screen_across_the_flow_slows_the_water_by_the_closed_form(self):
-        # 4 a (1 - a) = C (1 - a)², where C q A is the drag in undisturbed water.
+        # The balance is 4 a (1 - a) = C (1 - a)², where C q A is the drag in undisturbed water.
         for diameter in (0.0015, 0.003, 0.005):
             free = self.screen(diameter=diameter, flow="none")["drag"]
             slowed = self.screen(diameter=diameter)
@@ -64,7 +64,7 @@ class Flow(InFreshFolder):
     def test_the_momentum_lost_in_the_far_wake_is_the_drag(self):
         found = self.screen(diameter=0.005)
         a = found["induction"]
-        # Mass through the mouth times the velocity lost far behind, 2 a V.
+        # The thrust is the mass flow through the mouth times the loss of velocity far behind, 2 a V.
         lost = DENSITY * found["area"] * SPEED * (1 - a) * 2 * a * SPEED
         self.assertAlmostEqual(lost / abs(found["drag"]), 1, delta=1e-8)
 
@@ -92,7 +92,7 @@ class Flow(InFreshFolder):
         self.assertLess(a, 0.3)
         self.assertAlmostEqual(figures["mouth/water_speed"], 1.2 * (1 - a), delta=1e-9)
         self.assertAlmostEqual(figures["mouth/filtered"], figures["mouth/water_speed"] * figures["mouth/area"], delta=1e-6)
-        # The thrust of the mouth is the drag of the net; only the bridles belong to the rigging.
+        # The thrust of the mouth is the drag of the net; of all ropes, only the bridles do not count.
         drag = figures["drag/all/x"] - sum(value for name, value in figures.items() if "bridle/x" in name)
         thrust = 4 * a * (1 - a) * 0.5 * 1025 * 1.2**2 * figures["mouth/area"]
         self.assertAlmostEqual(thrust / drag, 1, delta=1e-4)

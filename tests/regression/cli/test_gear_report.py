@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a gear reports: the same in every form, and in balance."""
+"""The report of a gear: the same in every form, and its forces are in balance."""
 import unittest
 
 import h5py

@@ -14,7 +14,7 @@ SLIP = EASTERN.replace('cut = "3B1M out"', 'cut = "381M out"')
 
 
 def panels_of(gear):
-    """Names of the panels of a plan and of what it includes."""
+    """Names of the panels of a plan and of the files that it includes."""
     plan = tomllib.loads(gear.read_text())
     return set(plan.get("panels", {})).union(*(panels_of(gear.parent / other) for other in plan.get("include", [])))
 
@@ -148,7 +148,7 @@ class Gears(InFreshFolder):
 
 
 class NewGears(InFreshFolder):
-    """What `netloft new` writes can be sewn, drawn and towed as it is."""
+    """A gear that `netloft new` writes can be sewn, drawn and towed without changes."""
 
     def test_are_sewn_drawn_and_towed_as_they_are(self):
         for kind in ("two-panel", "four-panel"):
@@ -170,7 +170,7 @@ class NewGears(InFreshFolder):
 
     def test_that_would_replace_something_are_refused(self):
         self.write("there", "")
-        for words, why in ((("tow",), "use this word already"), (("Trawl",), "small letters"), (("trawl", "-o", "there"), "exists")):
+        for words, why in ((("tow",), "this word already has a meaning"), (("Trawl",), "small letters"), (("trawl", "-o", "there"), "exists")):
             refused = self.netloft("new", "two-panel", *words)
             self.assertEqual(refused.code, 2)
             self.assertIn(why, refused.err)
@@ -182,7 +182,8 @@ BOARDS = SOURCE / "gear-library/gears/pelagic-with-doors.toml"
 class CheckedWithoutAMesh(InFreshFolder):
     """`check` reads all of a gear file that `run` reads before it divides the gear."""
 
-    # What is added to the gear, the place in the file and the words of the answer, its hint, and the exit code.
+    # For each wrong gear: the text that is added, the place in the file, words of the message and its hint,
+    # and the exit code.
     WRONG = (
         ('[bodies.board]\ntype = "board/otzter"\n', "3:8", 'bodies.board.type: the plugin "board" has no element "board/otzter"', "", 4),
         ('[bodies.board]\ncolour = 3\n', "3:1", 'unknown key "colour" in bodies.board', "allowed here", 2),
@@ -309,7 +310,7 @@ FOUR = SOURCE / "gear-library/scenes/four-panel.toml"
 
 
 class NamesAndRoles(InFreshFolder):
-    """Ends of ropes are called the same in the half and in the whole, and what a rope is the plan says."""
+    """Ends of ropes have the same names in the half and in the whole gear, and the role of a rope is that of the plan."""
 
     def four(self, extent, more="", *words):
         doors = ["door"] if extent == "half" else ["starboard-door", "port-door"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Half a gear stands for a whole one only where nothing tells port from starboard."""
+"""Half a gear may replace a whole one only if port and starboard are equal."""
 import unittest
 
 from program import SOURCE, InFreshFolder
@@ -46,7 +46,8 @@ class HalfGears(InFreshFolder):
         return ended.json()["gear"]["figures"]
 
     def test_are_half_of_the_whole_with_boards_on_the_bed(self):
-        # On other meshes slack netting at the wing tips has several stable shapes, and the whole gear may take another than the half.
+        # On other meshes slack netting at the wing tips has several stable shapes, and the whole gear may
+        # take another shape than the half.
         half, whole = (self.figures("83-112-at-sea-66m.toml", extent, "2 m") for extent in ("half", "whole"))
         self.assertGreater(half["ground/force"], 1000)
         same = [name for name in half if name in whole and name.split("/")[0] in ("mouth", "pairs", "towing", "ground", "rigging") and not name.endswith("_y")]

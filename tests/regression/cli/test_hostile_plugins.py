@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plugins that crash, end the program or never come back: each is named, and what was found before is kept."""
+"""Plugins that crash, end the program or never come back: each must be named, and earlier results kept."""
 import os
 import signal
 import subprocess
@@ -13,7 +13,7 @@ from program import SOURCE, InFreshFolder
 PLUGINS = Path(os.environ["NETLOFT_TEST_PLUGINS"])
 AT_START = PLUGINS.parent / "hostile"
 
-# A line of 10 m with a weight of the element type that is put in.
+# A line of 10 m and a weight whose element type is inserted.
 LINE = """\
 [water]
 density = 1025
@@ -41,7 +41,7 @@ class Hostile(InFreshFolder):
         return ["line.toml", "--plugins", str(PLUGINS), "-o", "r.hdf"]
 
     def wait_until_it_loops(self, run):
-        """Of a run whose environment is TELLS."""
+        """Waits until a run with the environment TELLS says that it loops."""
         self.addCleanup(run.kill)
         for line in run.stderr:
             if line == "hostile loops\n":
@@ -80,7 +80,7 @@ class Crashes(Hostile):
 
 
 class EndlessLoops(Hostile):
-    """Each has two seconds before it is ended, so that they run at the same time."""
+    """Each is ended after two seconds, so they run at the same time."""
     LIMIT = ["--set", "analysis.max_seconds=0.2"]
     RUNS = {"element": ["element.toml", *LIMIT], "asks": ["line.toml", "--solver", "hostile/asks", *LIMIT],
             "strategy": ["line.toml", "--strategy", "hostile/insists", *LIMIT],

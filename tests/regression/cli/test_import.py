@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Gears of other programs as scenes, and meshes of other formats under them: what is imported is solved and has the answer."""
+"""Gears and meshes of other programs: imported scenes are solved and give the known answers."""
 import math
 import unittest
 
@@ -39,7 +39,7 @@ HANGING = changed(GOOD, ('length = "3 m"', 'length = "4.4 m"'), ("[[-2, 0, -4], 
 
 
 def on_mesh(scene, mesh):
-    """The same gear on a mesh; what its nodes have in common is joined there."""
+    """The same gear on a mesh, in which parts share nodes instead of being joined."""
     return changed(scene, ('panel = { across = 4, along = 4, bar = "0.6 m" }\ncells = [4, 4]\n'
                            "sketch = [[-2, 0, 0], [2, 0, 0], [2, 0, -4], [-2, 0, -4]]\n", f'mesh = "{mesh}"\npanel = {{ bar = "0.6 m" }}\n'),
                    ("cells = 4\nsketch = [[-2, 0, 0], [2, 0, 0]]\n", f'mesh = "{mesh}"\n'),
@@ -47,7 +47,7 @@ def on_mesh(scene, mesh):
 
 
 def elastic_catenary(x, z, length, EA, w):
-    """H and V at the upper end of a rope whose lower end is x away and z below (Irvine 1981, eqs. 2.23, 2.24)."""
+    """H and V at the upper end of a rope whose lower end is at the distance x and z lower (Irvine 1981, eqs. 2.23, 2.24)."""
     def reach(H, V):
         W = w * length
         s = length / EA
@@ -101,15 +101,15 @@ class Imports(InFreshFolder):
         figures = self.solved('top = { of = "line-1", take = "max tension" }\nlow = { of = "line-2", take = "min z" }\n')
         w = (12 - 1000 * math.pi * 0.05 ** 2 / 4) * 9.81
         H, V = elastic_catenary(80, 20, 95, 2e7, w)
-        # the first of 160 bars has the tension of its middle
+        # the tension of a bar is that at its middle, here of the first of 160 bars
         self.assertAlmostEqual(figures["top"] / math.hypot(H, V - w * 95 / 320), 1, delta=2e-4)
         self.assertAlmostEqual(figures["low"], -60, delta=1e-3)
-        # FairTen is that of the second end, which has the net force of its node
+        # FairTen is the tension at the second end, and equals the net force on its node
         self.assertAlmostEqual(figures["AnchTen1"] / math.hypot(H, V), 1, delta=1e-4)
         self.assertAlmostEqual(figures["FairTen1"] / math.hypot(H, V - w * 95), 1, delta=1e-4)
 
     def test_lines_of_two_types_that_meet_on_the_bed_lie_on_it(self):
-        """Where they meet the bed is as stiff as under half a bar of each."""
+        """At their common node, the bed is as stiff as under half a bar of each rope."""
         text = changed(MOORING, ("---------------------- POINTS", "rope       0.1     10       1e7    -1         0    1.2  1    0.1    0\n"
                                  "---------------------- POINTS"),
                        ("4    Fixed       40   20  -60 ", "4    Fixed       0   20  -60 "), ("3    Fixed       0    20  -5 ", "3    Free        20    20  -60 "),
@@ -121,7 +121,7 @@ class Imports(InFreshFolder):
         self.assertNotIn("FairTen2", figures, "two lines end there")
 
     def test_a_gear_that_hangs_on_a_loose_hold_is_no_answer(self):
-        """Nothing in the file holds the two bars across a current that flows obliquely."""
+        """The file has no hold against the lateral force of an oblique current on the two bars."""
         gears = SOURCE / "tests/validation/femnet_files"
         gear = (gears / "01_two_bars.don").read_text(encoding="latin-1")
         self.write("g.don", changed(gear, ("Displacement X,Y,Z: 1  1  1", "Displacement X,Y,Z: 1  0  1")))

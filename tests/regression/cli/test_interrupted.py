@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ctrl-C while a command solves many scenes: it says so, ends with 130, shows what it has and replaces no file."""
+"""Ctrl-C while a command solves many scenes: it must report it, end with 130, show its results so far and replace no file."""
 import json
 import os
 import signal
@@ -36,7 +36,7 @@ class Interrupted(InFreshFolder):
             self.write(name, "earlier")
 
     def interrupted(self, *words, is_due=lambda line: b"progress" in line and b"assembling" not in line):
-        """Standard output and error of a command that is interrupted when a line of standard error is there."""
+        """Standard output and error of a command that is interrupted at the first line of standard error for which `is_due` holds."""
         process = subprocess.Popen(self.command(*words), cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, env=self.environment())
         self.addCleanup(process.kill)
@@ -203,7 +203,7 @@ class Interrupted(InFreshFolder):
             self.assertEqual(self.netloft("report", "p.hdf").code, 0)
 
     def stopped_at(self, deed, number, *words):
-        """What a command said that got a signal at this deed; it hears that within a second of its own time."""
+        """Output of a command that gets a signal at this system call; it must react within a second of processor time."""
         process = subprocess.Popen(self.command(*words, "--json"), cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, env=self.environment())
         self.addCleanup(process.kill)
@@ -219,7 +219,7 @@ class Interrupted(InFreshFolder):
         return out, err
 
     def test_a_scene_that_is_read_after_others_is_left_as_well(self):
-        """Then there is something to lose, so that the signal does not end the program at once."""
+        """Then there are results to save, so that the signal must not end the program at once."""
         scene = str(SOURCE / "gear-library/scenes/two-panel.toml")
         for number in (signal.SIGINT, signal.SIGTERM):
             out, err = self.stopped_at(b'"meshing"', number, "refine", scene, "--nodes", "100,900000")
@@ -233,7 +233,7 @@ class Interrupted(InFreshFolder):
             self.assertEqual(json.loads(out)["status"], "interrupted", err)
 
     def test_a_scene_that_is_being_read_is_left(self):
-        """It has so many nodes that meshing takes far longer than to see that interruptions are caught."""
+        """It has so many nodes that meshing takes long enough to be interrupted."""
         scene = str(SOURCE / "gear-library/scenes/two-panel.toml")
         self.write("c.toml", f'[scenes.one]\nscene = "{scene}"\nset = ["gear.nodes=300000"]\n[variables.v]\nkey = "water.density"\n'
                              'range = [1000, 1030]\n[[measured]]\nscene = "one"\nfigure = "gear/headline_height"\nvalue = 1\ndeviation = 1\n')

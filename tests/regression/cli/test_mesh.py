@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Parts on a mesh in a file of its own: the same gear as when the program divides it, and the names of its nodes."""
+"""Parts on a mesh in a separate file: the same gear as with the mesh of the program, and names of its nodes."""
 import re
 import unittest
 
@@ -36,7 +36,7 @@ def node(i, j):
 
 
 def mesh():
-    """The panel and the rope of program.GOOD, divided as the program does it."""
+    """The panel and the rope of program.GOOD, with the mesh that the program would make."""
     lines = ["netloft mesh 1", "[nodes]"]
     lines += [f"{-2 + i} 0 {-j}" for j in range(ALONG + 1) for i in range(ACROSS + 1)]
     lines.append("[triangles net]")
@@ -68,7 +68,7 @@ class Meshes(InFreshFolder):
             self.assertAlmostEqual(meshed[name], value, delta=1e-8)
 
     def test_what_stands_on_every_node_stands_there_whole(self):
-        """Four floats of 10 N on the five nodes of the line, which is held up by them: a pull of 50 N less."""
+        """Two forces of 10 N on each of the five nodes of the line reduce the pull by 100 N."""
         self.write("gear.mesh", mesh())
         pull = SCENE + 'pull = { of = "net.top", take = "sum reaction z" }\n'
         self.write("bare.toml", pull)
@@ -77,7 +77,7 @@ class Meshes(InFreshFolder):
         self.assertAlmostEqual(self.figures("bare.toml")["pull"] - self.figures("pulled.toml")["pull"], 5 * 2 * 10, delta=1e-6)
 
     def test_a_result_is_an_input(self):
-        """Its mesh has the same ropes and panels; where it was at rest, it is at rest."""
+        """The mesh made from a result has the same ropes and panels, and is in equilibrium at the same positions."""
         self.write("divided.toml", GOOD)
         before = self.figures("divided.toml")
         ended = self.netloft("export", "divided.hdf", "shape.mesh")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every function of a plugin with every misdeed: no success, no result that looks like one, and a sentence with the plugin.
+"""Every function of a plugin with every fault: the run must not succeed nor leave a complete result, and must name the plugin.
 
-The table of functions and deeds is made below; tests/support/misdeeds has the plugin. `python3 test_misdeeds.py --table`
+The table of functions and faults is made below; tests/support/misdeeds has the plugin. `python3 test_misdeeds.py --table`
 prints the table with the answers of the program.
 """
 import sys
@@ -20,7 +20,7 @@ MODES = ["rounding", "subnormals", "traps"]
 BOUNDARY = [*ENDS, *ESCAPES, *MODES]  # what no function of a plugin may do
 STATUS = ["error", "no_status"]
 
-# Each function, how it is reached, and what it can do beside.
+# For each function, a command that reaches it and further misdeeds that it can do.
 FUNCTIONS = {
     "create": ("element", [*STATUS, "endless_words", "wild_fault"]),
     "term": ("element", [*STATUS, "endless_words", "wild_fault", "nan"]),
@@ -40,7 +40,8 @@ FUNCTIONS = {
 }
 TABLE = [(function, deed) for function, (_, own) in FUNCTIONS.items()
          for deed in ([] if function == "table" else BOUNDARY) + own] + [("solve", "jump"), ("run", "jump")]
-# What a method may do, and the host judges: the answer says what was not found, and need not name the method, which the user did.
+# Results that a component may return and the program judges: the message says that nothing was found, and
+# need not name the component, which the user named.
 HONEST = {"term": ["nan"], "law": ["nan"], "solve": ["nan", "nulls", "lie", "endless_words"], "step": ["nan", "error", "endless_words"], "run": ["nothing", "wild_stage", "wild_solver"]}
 
 SCENES = {
@@ -100,7 +101,7 @@ class Misdeeds(InFreshFolder):
         return self.netloft("report", file, "--json").json()["results"]["low"]
 
     def test_that_change_no_answer_change_no_verdict(self):
-        """A strategy that answers with something else, which the host sees; and an integrator that writes over what is not its own."""
+        """A strategy that changes its answer, which the program must notice; and an integrator that overwrites foreign memory."""
         for function, deed in (("run", "lie"), ("run", "nan"), ("run", "calls_itself"), ("step", "nulls")):
             with self.subTest(function=function, deed=deed):
                 self.clear()

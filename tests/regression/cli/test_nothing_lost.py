@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What was found once is not lost: by a full disk, by a kill, by running again, by a worse result."""
+"""Results are not lost: by a full disk, a kill, another run, or a worse result."""
 import os
 import re
 import shutil
@@ -87,7 +87,7 @@ class InterruptedMotion(InFreshFolder):
     @unittest.skipUnless(FULL_DISK, "needs tests/support/full_disk")
     def test_survives_a_disk_that_is_still_full(self):
         states, size = self.outputs(), self.part.stat().st_size
-        # First the journal has no room to grow, then the result, then the index for older viewers.
+        # The disk is full for the journal, then for the result, then for the index for older viewers.
         for room in (0, 0.5, 3, 15, 5, 12, 20):
             with self.subTest(room=room):
                 full = self.environment(LD_PRELOAD=FULL_DISK, NETLOFT_DISK_BYTES=str(int(room * size)))
@@ -132,7 +132,7 @@ class Writers(InFreshFolder):
 
 @unittest.skipUnless(FULL_DISK, "needs tests/support/full_disk")
 class OnAFullDisk(InFreshFolder):
-    """Each write in turn is the first that fails."""
+    """In these tests, each write in turn is the first that fails."""
 
     def count_writes(self, *words):
         self.assertEqual(self.netloft(*words, environment=self.environment(LD_PRELOAD=FULL_DISK, NETLOFT_FAIL_WRITE="0",

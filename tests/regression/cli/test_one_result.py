@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One result, whoever prints it: `run`, `report` as text, JSON, CSV and HTML, the data of the page, and `diff` have the same numbers."""
+"""All commands print the same result: `run`, `report` as text, JSON, CSV and HTML, the data of the page, and `diff` have the same numbers."""
 import csv
 import gzip
 import html
@@ -185,7 +185,7 @@ class OldFiles(Results):
         self.assertGreater(rows["headline"]["utilisation"], 0)
 
     def test_have_their_netting_to_cut(self):
-        """As the plan of the gear has it: gear-library/gears/83-112-eastern.toml."""
+        """Values of the plan of the gear: gear-library/gears/83-112-eastern.toml."""
         scene = str(SOURCE / "gear-library/scenes/83-112-flume-3.0kn.toml")
         ended = self.said("run", scene, "--set", "gear.nodes=150", "--json", "-o", "gear.hdf", code=0)
         wing = {"name": "top-wing", "number": 2, "mesh": 0.1016, "twine": "pa-twisted-2.3mm", "twines": 1, "laid": "diamond", "fore": 3,

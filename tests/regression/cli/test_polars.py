@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""`netloft draw` on polars of a catalogue: their numbers, and the curves that boards are computed with."""
+"""`netloft draw` on polars of a catalogue: their numbers, and the curves with which boards are computed."""
 import re
 import unittest
 

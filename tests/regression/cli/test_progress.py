@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How far long work is gone: one line in a terminal, lines in a log, events for programs."""
+"""Reports of progress: one line in a terminal, lines in a log, events for programs."""
 import json
 import os
 import pty

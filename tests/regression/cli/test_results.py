@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Results that are looked at again: `report`, `draw` of a result, `view`."""
+"""Commands that show stored results: `report`, `draw` of a result, `view`."""
 import csv
 import io
 import json
@@ -21,7 +21,7 @@ HOSTILE = "</script><img src=x onerror=alert(1)>\"'&\u202e" + 10000 * "w"
 
 
 class Elements(HTMLParser):
-    """Names, attributes and texts of a page as a browser would take them apart."""
+    """Names, attributes and texts of a page, parsed as by a browser."""
 
     def __init__(self, page):
         super().__init__()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Right use: what a run prints, where, with which exit code, and what it leaves in the folder."""
+"""Correct use: the output of a run, its exit code, and the files that it writes."""
 import json
 import math
 import os
@@ -56,8 +56,8 @@ class Runs(InFreshFolder):
     def test_corners_of_triangles_say_where_on_their_panel_they_are(self):
         self.assertEqual(self.run_panel().code, 0)
         self.assertAlmostEqual(meshes_of_netting(self.folder / "dead-weight-panel.hdf"), 40 * 40)
-        # A tube, whose left edge and right edge are one: 100 meshes round and 100 along. In the last of its 48 rows
-        # every second triangle has two corners in the one node that closes the cod-end.
+        # A tube, whose left and right edges are joined: 100 meshes round and 100 along. In the last of its 48
+        # rows every second triangle has two corners in the one node that closes the cod-end.
         self.netloft("run", str(CODEND), "--set", "analysis.max_iterations=1", "--solver", "newton", "-o", "tube.hdf")
         self.assertAlmostEqual(meshes_of_netting(self.folder / "tube.hdf"), 100 * 100 * (1 - 1 / 48 / 2))
 
@@ -79,7 +79,7 @@ class Runs(InFreshFolder):
         self.assertIn("--set parts.net.cells=[4,4] replaces --set parts.net.cells=[8,8]", ended.err)
 
     def test_the_way_on_from_a_coarser_mesh_may_be_another_strategy_and_falls_back_on_the_solver(self):
-        # tension/only is called for the scene itself; load-steps has nothing to do where nothing flows.
+        # auto calls tension/only for the scene itself; load-steps does nothing without a current.
         panel = [str(PANEL)]
         answers = {}
         for then in ("", "tension/only", "load-steps"):
@@ -94,7 +94,7 @@ class Runs(InFreshFolder):
             self.assertIn("from a coarser mesh", solved[then])
         for report in answers.values():
             self.assertAlmostEqual(report["energy"], answers[""]["energy"], delta=1e-6 * abs(report["energy"]))
-        # Where no twine gives way in compression there are none to be found slack.
+        # If twines resist compression as they do tension, none can be slack.
         stretched = str(PANEL.parent / "verification/stretched-panel.toml")
         stiff = self.netloft("run", stretched, "--strategy", "coarse-to-fine:by=direct,then=tension/only", "--json")
         stages = {s["name"]: s["factorisations"] for s in json.loads(stiff.out)["stages"]}
@@ -105,7 +105,7 @@ class Runs(InFreshFolder):
         self.assertIn('there is no plugin "nowhere"', wrong.err + wrong.out)
 
     def test_a_coarser_mesh_that_is_not_solved_with_half_of_the_work_leaves_the_other_half(self):
-        """A motion on the coarser mesh would come to rest after three times as much."""
+        """On the coarser mesh, a motion would come to rest after three times as much work."""
         ended = self.netloft("run", str(PANEL), "--strategy", "coarse-to-fine:by=pseudo-time", "--set", "analysis.work=10", "--json")
         self.assertEqual(ended.code, 3, ended.err)
         report = json.loads(ended.out)
@@ -339,7 +339,7 @@ class WhereTheResultCannotGo(InFreshFolder):
         self.check("mine/a.hdf", "Permission denied")
 
     def test_full_disk(self):
-        """A limit on the size of files fails a write where a full disk would."""
+        """With a limit on the size of files, writes fail at the same place as on a full disk."""
         def limit():
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (16384, 16384))
@@ -507,7 +507,7 @@ on = "rope.start"
             self.assertEqual("\033[" in ended.err, colour, (words, environment))
 
     def on_a_terminal(self, environment):
-        """What standard error shows when it is a terminal."""
+        """The text on standard error if it is a terminal."""
         ours, theirs = os.openpty()
         process = subprocess.run(self.command("run", "scene.toml"), cwd=self.folder, stdout=subprocess.DEVNULL, stderr=theirs,
                                  env=self.environment(TERM="xterm", **environment), timeout=60)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The schema that editors complete scenes with: shipped scenes fit it, slips do not, and SCENE.md speaks of every key."""
+"""The schema that editors complete scenes with: shipped scenes are valid, misspelt keys are not, and SCENE.md describes every key."""
 import re
 import unittest
 
@@ -18,12 +18,12 @@ PAGE = SOURCE / "io" / "scenes" / "SCENE.md"
 
 
 def is_whole(scene):
-    """Files that others include leave out what those have."""
+    """Files that other files include may lack required keys."""
     return "analysis" in scene or "water" in scene and "parts" in scene and "hold" in scene
 
 
 def keys_of(schema):
-    """Names of all keys, at any depth; of what belongs to a plugin only the table it stands in (`netloft describe` has the rest)."""
+    """Names of all keys, at any depth; for keys of plugins only their table, because `netloft describe` shows the others."""
     here = schema.get("properties", {})
     of_plugins = "const" in here.get("type", {}) or "solver" in here
     for name, member in here.items():

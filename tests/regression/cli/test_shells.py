@@ -38,7 +38,7 @@ class Manual(InFreshFolder):
 
 class Bash(InFreshFolder):
     def completed(self, line):
-        """What bash offers for the last word of a line."""
+        """The words that bash offers for the last word of a line."""
         self.write("completion", self.netloft("--completions", "bash").out)
         words = line.split(" ")
         quoted = " ".join(f"'{word}'" for word in words)
@@ -72,7 +72,7 @@ class Bash(InFreshFolder):
 
 @unittest.skipUnless(shutil.which("zsh"), "there is no zsh")
 class Zsh(InFreshFolder):
-    """zsh at a terminal, in which keys are pressed. What looks like netloft there prints its arguments."""
+    """zsh at a terminal, in which keys are pressed. A stand-in for netloft prints its arguments."""
 
     def typed(self, keys):
         (self.folder / "functions").mkdir(exist_ok=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Boards and the ship in what is shown of a result: where they are, and how they are turned."""
+"""Boards and the ship in pictures and pages of a result: their positions and rotations."""
 import json
 import re
 import struct
@@ -50,7 +50,7 @@ class Solids(InFreshFolder):
             turn, place = f["VTKHDF/PointData/rotation"][:][origin], f["VTKHDF/Points"][:][origin]
         corners = (np.array(OUTLINE) @ rotation(turn).T + place).astype("<f4")
         self.assertEqual({tuple(c) for c in door.reshape(-1, 3)}, {tuple(c) for c in corners})
-        # bent about its height: two flat halves, each as long as from its edge to its middle
+        # bent along a vertical line: two flat halves, each as long as the distance from its edge to the bend
         self.assertAlmostEqual(area(door), 2 * np.hypot(1.35, 0.2) * 1.8, delta=1e-4)
 
     def test_a_bill_has_boards_and_their_masses(self):

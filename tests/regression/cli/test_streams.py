@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Streams, signals and files that are none: each gets a sentence and an exit code, and nothing blocks."""
+"""Streams, signals, and pipes or folders instead of files: each gives a message and an exit code, and nothing blocks."""
 import os
 import resource
 import signal
@@ -55,7 +55,7 @@ class Streams(InFreshFolder):
 
 class Signals(InFreshFolder):
     def run_and_send(self, number, before, *more):
-        """The exit code and the output of a motion that gets a signal, about which `before` was agreed."""
+        """The exit code and the output of a motion that gets a signal; `before` has set how it handles the signal."""
         name = f"{number.name}.hdf"
         run = subprocess.Popen(self.command("run", *MOTION, *more, "-o", name), cwd=self.folder, env=self.environment(),
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=lambda: signal.signal(number, before))
@@ -68,7 +68,7 @@ class Signals(InFreshFolder):
     def test_a_hangup_and_a_quit_are_interrupts(self):
         for number in (signal.SIGHUP, signal.SIGQUIT):
             with self.subTest(signal=number.name):
-                # Longer than any machine takes until the signal has come.
+                # A motion that takes longer than the signal needs to arrive on any machine.
                 code, out = self.run_and_send(number, signal.SIG_DFL, "--set", "analysis.duration=1000")
                 self.assertEqual(code, 130)
                 self.assertIn(b"--resume goes on from there", out)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Studies: a manifest, items that anybody may compute, one table. Nothing is lost, nothing counts twice."""
+"""Studies: a manifest, items that any process may compute, one table. No item is lost or counted twice."""
 import contextlib
 import csv
 import json
@@ -72,7 +72,7 @@ class Studies(InFreshFolder):
 
 
 class ShippedStudies(Studies):
-    """None is computed here: a path takes a quarter of a minute."""
+    """No item is computed here, because a path takes a quarter of a minute."""
 
     def test_studies_of_the_library_can_be_planned(self):
         found = sorted((SOURCE / "gear-library/studies").glob("*.toml"))
@@ -216,7 +216,7 @@ class ShownStudies(Studies):
 
 
 class LostStudies(Studies):
-    """Kills, full disks, garbage: one command goes on, and the table is the one of an undisturbed study."""
+    """After kills, full disks or damaged files, one command continues, and the table is that of an undisturbed study."""
 
     def setUp(self):
         super().setUp()
@@ -243,7 +243,7 @@ class LostStudies(Studies):
             return []
 
     def stopped_worker_of(self, engine):
-        """A worker that goes on when it is told to, so that its engine cannot come to its end; None if the engine has."""
+        """A stopped worker, which goes on only when told to, so that its engine cannot end before; None if the engine has ended."""
         while engine.poll() is None:
             for pid in self.workers_of(engine):
                 with contextlib.suppress(ProcessLookupError, FileNotFoundError):

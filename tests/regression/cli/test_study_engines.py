@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One study by the pool of the program, by GNU parallel and by Slurm on this machine: one table, to the bit."""
+"""One study by the pool of the program, by GNU parallel and by Slurm on this machine: the tables have the same bits."""
 import contextlib
 import os
 import shlex
@@ -98,7 +98,7 @@ class BySlurm(Engines):
         job = self.submit("--parsable").stdout.strip()
         while len(self.missing()) == ITEMS:
             time.sleep(0.02)
-        # A fast machine is done by now.
+        # On a fast machine, the study has ended before this.
         subprocess.run([local_slurm.find("scancel"), "--signal=KILL", "--full", job], env=self.slurm.environment, check=False)
         ended = self.submit("--wait")
         self.assertEqual(ended.returncode, 0, ended.stderr)

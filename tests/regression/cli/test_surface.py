@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is partly dry, against closed forms: a box that floats on a line, and bars at the surface and half out of the water."""
+"""Partly dry parts compared with closed forms: a floating box on a line, and bars at the surface and half out of the water."""
 import math
 import unittest
 
@@ -88,7 +88,7 @@ class Surface(InFreshFolder):
         self.assertAlmostEqual(here["pull"], pull(d), delta=1e-3)
 
     def test_a_bar_floats_with_the_share_of_it_wet_that_its_density_says(self):
-        """Its ends are cubes of half its volume, h wide: wet share (h/2 - z)/h = own density over that of water."""
+        """Its ends are cubes of half its volume, h wide: the wet fraction (h/2 - z)/h is its density over that of water."""
         h = (4 * math.pi * 0.1 ** 2 / 8) ** (1 / 3)
         for own in (200, 500, 850):
             hold = '[[hold]]\non = "bar.start"\naxes = "xy"\n[[hold]]\non = "bar.end"\naxes = "xy"\n' \
@@ -100,7 +100,7 @@ class Surface(InFreshFolder):
             self.assertAlmostEqual(here["z"], h * (0.5 - own / DENSITY), delta=1e-8)
 
     def test_a_bar_that_is_half_out_of_the_water_leans_by_its_lower_half(self):
-        """Of its dry upper end nothing is driven or carried: q cos^2 a = (own - rho) V g sin a, q = rho/2 C D L c^2."""
+        """The dry upper end has neither drag nor buoyancy: q cos^2 a = (own - rho) V g sin a, q = rho/2 C D L c^2."""
         own, speed, length, diameter = 3000, 1.2, 4, 0.1
         q = DENSITY / 2 * CD * diameter * length * speed ** 2
         w = (own - DENSITY) * math.pi * diameter ** 2 / 4 * length * GRAVITY

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A tank's model computed at full scale is the model computed as itself, with forces and lengths of the gear."""
+"""A model in a tank, computed at full scale, gives the same as the model computed at its own scale, scaled to the gear."""
 import json
 import math
 import unittest
@@ -59,11 +59,11 @@ GEAR = dict(speed=1.2, model="", across=160, along=200, bar=0.05, left=-4.0, rig
 
 
 def model(gear):
-    """What hangs in the tank, with strains like those of the gear."""
+    """The model that hangs in the tank, with the same strains as the gear."""
     force, speed = LENGTHS**2 * TWINES, math.sqrt(TWINES)
     small = {key: gear[key] / LENGTHS for key in ("left", "right", "aft", "length")}
     rope = math.sqrt(LENGTHS * TWINES)
-    # A bar of the gear bears its share of the force: there are λ'/λ times as many in the model.
+    # A bar of the gear bears a share of the force: the model has λ/λ' times fewer bars.
     small |= dict(speed=gear["speed"] / speed, across=gear["across"] * TWINES // LENGTHS, along=gear["along"] * TWINES // LENGTHS,
                   bar=gear["bar"] / TWINES, twine=gear["twine"] / TWINES, twine_EA=gear["twine_EA"] / (LENGTHS * TWINES**2),
                   rope=gear["rope"] / rope, rope_EA=gear["rope_EA"] / force, buoyancy=gear["buoyancy"] / force,

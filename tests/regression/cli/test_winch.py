@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Winches of constant tension: the length of warp that is found, against plain wire of that length."""
+"""Winches of constant tension: the length of warp that is found, compared with a plain wire of this length."""
 import unittest
 
 from program import SOURCE, InFreshFolder

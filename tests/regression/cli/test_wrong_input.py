@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Wrong input is answered with its place and its cure, and leaves nothing behind."""
+"""Wrong input gives a message with its place and a hint, and no files."""
 import unittest
 
 from program import InFreshFolder
@@ -63,7 +63,7 @@ def add_case(wrong, check):
     setattr(WrongInput, name, lambda self: check(self, wrong))
 
 
-# What stands on standard error is the same with --json; every tenth is asked without it.
+# Standard error has the same text with --json; only every tenth scene is also run without it.
 for number, each in enumerate(wrong_scenes.ALL + wrong_boards.ALL + wrong_bodies.ALL + wrong_laws.ALL):
     add_case(each, WrongInput.check if number % 10 else WrongInput.check_without_json)
 

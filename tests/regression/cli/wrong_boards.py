@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Boards, their polars, beds and ships a person gets wrong, as in wrong_case.py. Each is BOARD or SHIP with a change."""
+"""Mistakes in boards, their polars, beds and ships, as in wrong_case.py. Each case is BOARD or SHIP with a change."""
 from program import GOOD, changed
 from wrong_case import Wrong
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rigid bodies a person gets wrong, as in wrong_case.py. Each is HANGING with a change."""
+"""Mistakes in rigid bodies, as in wrong_case.py. Each case is HANGING with a change."""
 from program import changed
 from wrong_case import Wrong
 
-# A clump on a rope, joined at its eye, with a second rope at another point.
+# A clump whose eye is joined to a rope, and another of its points to a second rope.
 HANGING = """\
 [parts.warp]
 type = "rope/bar"

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A scene a person gets wrong, with the place and the words of the answer.
-
-`change` is made to program.GOOD, or `content` replaces it; `files` lie beside it; `args` follow on the command line.
-`where` and `says` stand in one error; `hint` in its hint. Every other error must be listed in `also`, as (where, words):
+"""A scene with a mistake, and the place and words of the message. `change` is made to program.GOOD, or `content` replaces it; `files` are beside it; `args` follow on the command line.
+`where` and `says` are those of one error, `hint` its hint. Every other error must be listed in `also`, as (where, words):
 an error that only follows from another helps nobody.
 """
 from dataclasses import dataclass, field

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a person gets wrong in laws of drag, model scales, tows and floats; each with the place and the words of the answer (wrong_case.py)."""
+"""Mistakes in laws of drag, model scales, tows and floats, with the place and words of the message (wrong_case.py)."""
 from wrong_case import edit
 
 NET, WATER, JOIN = "density = 2000 }", "gravity = 9.81", "[[join]]"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scenes a person gets wrong, each with the place and the words of the answer (wrong_case.py)."""
+"""Mistakes in scenes, with the place and words of the message (wrong_case.py)."""
 from program import GOOD, changed
 from wrong_case import Wrong, edit, set_to
 
@@ -222,7 +222,7 @@ OPTIONS = [
     Wrong("strategy option: set as well", "", "--strategy direct undoes --set analysis.strategy=auto", args=["--strategy", "direct", "--set", "analysis.strategy=auto"]),
     Wrong("solver option: a parameter that is set as well", "", "--solver newton:damping=1 undoes --set analysis.newton.damping=2",
           args=["--solver", "newton:damping=1", "--set", "analysis.newton.damping=2"]),
-    Wrong("strategy of a motion from its sketch", "", "--strategy finds equilibria, and this motion does not begin at one", change=[("tolerance = 1e-10", 'kind = "dynamic"\nduration = 1')],
+    Wrong("strategy of a motion from its sketch", "", "--strategy finds equilibria, and this motion does not begin at an equilibrium", change=[("tolerance = 1e-10", 'kind = "dynamic"\nduration = 1')],
           args=["--strategy", "direct"]),
     Wrong("option nobody knows", "", "--frobnicate", args=["--frobnicate"]),
     Wrong("no thread at all", "", "--threads: Value 0 not in range", args=["--threads", "0"]),

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every flag of every `--help`, typed.
+"""Runs every flag of every `--help`.
 
-The flags are those that the help of the program lists, and the commands stand below: a flag of the help that no command types, and a
-command that types a flag of no help, are failures. Each command has to end with 0 and to leave or to say what follows it.
+The flags are those that the help of the program lists, the commands are below: a flag of the help that no command uses is a failure, and so is a flag that the help does not list. Each command must end with 0 and write the file or the text that follows it.
 """
 import json
 import os
@@ -29,7 +28,8 @@ def until_it_serves(command):
     return f"{command} > served & while kill -0 $! && ! grep -q http served; do sleep 0.05; done; kill -INT $!; wait $!; ended=$?; cat served; (exit $ended)"
 
 
-# What is typed, and what it says or which file it leaves. In this order; later ones read what earlier ones wrote.
+# Each command, and words of its output or the file that it writes. The order matters: later commands read
+# files of earlier ones.
 COMMANDS = (
     ("netloft --help", "calibrate"),
     ("netloft --version", "netloft "),
@@ -112,7 +112,7 @@ def flags_in_help(*command):
 
 
 def subcommands(*command):
-    """All commands, those of commands too: "run", "study", "study plan"."""
+    """All commands with their subcommands: "run", "study", "study plan"."""
     text = subprocess.run([PROGRAM, *command, "--help"], capture_output=True, text=True, timeout=20).stdout
     names = re.findall(r"^  (\w+) +\w", "".join(re.findall(rf"^{HEADING}:\n((?:  .*\n)+)", text, re.MULTILINE)), re.MULTILINE)
     return [full for name in names for full in (" ".join((*command, name)), *subcommands(*command, name))]

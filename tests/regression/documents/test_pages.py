@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every command of the program on every page, in a copy of the gear library, from which all must end with 0.
+"""Runs every command of the program on every page, in a copy of the gear library; each must end with 0.
 
-Commands stand in blocks or between backticks and begin with `netloft` and a subcommand, and say on what. Words in capitals and files
-that a page makes up stand for something of the library. What takes long is run coarsely. The README and the guides have tests of
+Commands stand in blocks or between backticks and begin with `netloft` and a subcommand, and say on what. Words in capitals and invented file names stand for files of the library. Long runs use coarse meshes. The README and the guides have tests of
 their own, and so have the page of answers to what goes wrong and the pages that `netloft new` writes.
 """
 import os
@@ -43,7 +42,7 @@ NEED = ("arkode", "kinsol")  # built only where their libraries are
 
 
 def commands_of(text):
-    """What a page lets one type: `netloft draw RESULT`, and not the mere name of a command, `netloft draw`."""
+    """The commands of a page, such as `netloft draw RESULT`, but not the mere name of a command, `netloft draw`."""
     lines = [line for block in BLOCK.findall(text) for line in block.replace("\\\n", " ").splitlines()]
     found = [re.sub(r"\s+#.*$", "", line) for line in lines]
     found += [" ".join(words.split()) for words in re.findall(r"`([^`]+)`", BLOCK.sub("", text))]

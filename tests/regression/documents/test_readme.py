@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every command of the README, in its order, in a copy of the gear library.
+"""Runs every command of the README, in order, in a copy of the gear library.
 
 ```sh              lines typed into a shell at the top of the repository; all must end with 0
 ```toml NAME       a file of that name
 
-What installs or builds stands for the build that is tested; what takes long is run coarsely.
+Commands that install or build are replaced by the tested build; long runs use coarse meshes.
 """
 import os
 import re

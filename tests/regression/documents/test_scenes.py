@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every scene of the gear library is run, so that none is shipped that fails.
-
-Every file is a scene but the pieces that are named here, which scenes include. Long ones are run on coarser meshes or for a shorter
+"""Runs every scene of the gear library, so that no failing scene is shipped. Every file is a scene except those named here, which scenes include. Long ones are run on coarser meshes or for a shorter
 time, all others as they are.
 """
 import json

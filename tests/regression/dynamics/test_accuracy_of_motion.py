@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Accuracy of a motion: what was asked and what it came to is told, and errors fall with it in spite of snaps.
+"""Accuracy of a motion: the report has the requested and the measured accuracy, and errors fall with it in spite of snaps.
 
     test_accuracy_of_motion.py NETLOFT SOURCE_FOLDER
 """
@@ -16,10 +16,12 @@ import numpy as np
 
 NETLOFT, MOTIONS = sys.argv[1], Path(sys.argv[2]) / "tests" / "bench" / "motions"
 BALL = 4  # node of snap.toml
-# A chain sketched a fifth too short, so that its bars are thrown apart and tighten within a step.
+# A chain that is sketched a fifth shorter than it is, so that its bars move apart fast and become taut within
+# a step.
 SHORT_CHAIN = ["parts.chain.sketch=[[0,0,-8],[3,0,-7.2]]", "parts.chain.rope.EA_compression=856", "analysis.duration=0.3"]
 
-# A ball on a light bar that stands on its lower end: it stays there, and any deviation grows as cosh(t sqrt(g/l)).
+# A ball on a light bar that stands upright on its lower end: without a disturbance it stays there; any
+# deviation grows as cosh(t sqrt(g/l)).
 UPRIGHT = """
 [water]
 density = 0
@@ -97,7 +99,7 @@ class AccuracyOfMotion(unittest.TestCase):
         self.assertRegex(self.ask("snap", *coarse, text=True, exit_code=3), r"warning: error of the path [\d.]+, at t = [\d.]+ s at rope node \d")
 
     def test_of_a_path_that_was_reached_bounds_the_error(self):
-        """Before the snap, where the ball falls freely beside its slack rope."""
+        """Before the snap, while the ball falls freely beside its slack rope."""
         free = ["analysis.integrator=energy-momentum", "analysis.duration=0.2"]
         self.ask("snap", *free, "analysis.accuracy=1e-5")
         with h5py.File(self.output) as f:

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A motion in which forces come and go ends with a result whose series have a number for every output.
+"""A motion in which forces begin and end has a result whose series have a number for every output.
 
     test_columns_of_motion.py NETLOFT SOURCE_FOLDER
 """
@@ -14,7 +14,7 @@ import h5py
 import numpy as np
 
 NETLOFT = sys.argv[1]
-# A weight that is let go above a bed; the rope on it lies on the bed from its first node on.
+# A weight that is released above a bed; its rope lies on the bed, beginning at its first node.
 SCENE = """
 [bed]
 depth = "10 m"
@@ -69,7 +69,7 @@ class ColumnsOfMotion(unittest.TestCase):
         self.assertGreater(np.nanmax(force), 100)
 
     def test_of_a_force_that_goes(self):
-        """It springs from a bed into which it was pressed."""
+        """The weight rebounds from a bed into which it was pressed."""
         force, times = self.force_on_sole(LYING)
         self.assertEqual(len(force), len(times))
         self.assertGreater(force[0], 1000)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Warps on winches that hold a tension: a trawl that speeds up and turns bears the same on both sides, and killed it goes on to the same bits.
+"""Warps on winches that hold a tension: a trawl that speeds up and turns has the same tension on both sides, and a killed run continues with the same bits.
 
     test_held_tension.py NETLOFT SOURCE_FOLDER
 """

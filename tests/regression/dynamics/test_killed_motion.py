@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A motion that is killed at random instants: its file opens, holds every output that was there, and goes on to the same bits.
+"""A motion that is killed at random instants: its file can be read, has every earlier output, and the run continues with the same bits.
 
     test_killed_motion.py NETLOFT SOURCE_FOLDER [TRIALS]
 """
@@ -56,7 +56,7 @@ def rows_of(item, data):
 
 
 def first_difference(a, b):
-    """Of the states that both have; None if there is none."""
+    """The first array whose common states differ; None if all are equal."""
     for name, values in a.items():
         count = min(len(values), len(b[name]))
         if values[:count].tobytes() != b[name][:count].tobytes():
@@ -77,7 +77,7 @@ class KilledMotion(unittest.TestCase):
         cls.folder.cleanup()
 
     def kill_at(self, output, outputs):
-        """Outputs that were seen in the journal before the kill, which comes when there are so many. No result is made of them, so that
+        """The outputs in the journal just before the kill, which comes after this number of outputs. No result is made of them, so that
         the journal is there even if this process sleeps until the motion has ended."""
         part, in_the_way = Path(str(output) + ".part"), Path(str(output) + ".new")
         in_the_way.mkdir()

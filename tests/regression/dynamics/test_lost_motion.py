@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A motion whose energy comes out of nothing is not called finished, and one that is found is not called lost.
+"""A motion whose scheme creates energy is reported as lost, and a correct motion is not.
 
     test_lost_motion.py NETLOFT SOURCE_FOLDER [thorough]
 
@@ -41,7 +41,7 @@ class Run:
 
 
 def limit_of(scene, scheme):
-    """Longest stable step by the tangent of the start."""
+    """Longest stable step, from the tangent at the start."""
     return Run(scene, *scheme, "duration=1e-5").answer["stable_step"]
 
 
@@ -82,7 +82,8 @@ class LostMotion(unittest.TestCase):
     def test_scenes_as_they_are(self):
         for scene in sorted(SCENES.glob("*.toml")):
             with self.subTest(scene=scene.stem):
-                # Whole trawls take half a minute and seven; tests/bench/real_time.py runs the first of them.
+                # Whole trawls take from half a minute to seven minutes; tests/bench/real_time.py runs the
+                # first of them.
                 if scene.stem != "83-112-in-motion":  # which the test of all scenes begins
                     self.expect_found(Run(scene.stem, *(["duration=1"] if scene.stem == "trawl-speeds-up" else [])))
 

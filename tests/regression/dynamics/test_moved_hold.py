@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A hold that is displaced through points: it stays between two that are alike, and goes beyond none.
+"""A hold that moves through given points: it stays at rest between two equal points, and overshoots none.
 
     test_moved_hold.py NETLOFT SOURCE_FOLDER
 """

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Energy that the scheme takes is a warning in the report of a motion, with time and place, where it is a twentieth of what was given.
+"""If the scheme removes a twentieth of the supplied energy, the report of a motion warns, with time and place.
 
     test_numerical_loss.py NETLOFT SOURCE_FOLDER
 """
@@ -16,7 +16,7 @@ import numpy as np
 NETLOFT, SCENES = sys.argv[1], Path(sys.argv[2]) / "gear-library" / "scenes" / "dynamics"
 LENGTH, EA, MASS, GRAVITY, FALL = 1, 2e4, 5, 9.81, 0.99
 CAUGHT = np.sqrt(2 * FALL / GRAVITY)  # [s]
-# A ball falls from where its slack rope is held, and is caught by it.
+# A ball falls from the point where its slack rope is held, until the rope stops it.
 SNAP = f"""
 [water]
 density = 0

@@ -89,7 +89,7 @@ class TwoShips(Motion):
 
 
 class GrowingCatch(Motion):
-    """Slow enough, a motion goes through equilibria: it ends at that of the whole catch."""
+    """A slow motion goes through equilibria, and ends at that of the whole catch."""
 
     MOVES = ('analysis.kind="dynamic"', 'analysis.start="equilibrium"', 'analysis.solver="chord"', 'analysis.tangent="exact"', 'analysis.duration=60', 'analysis.output_interval=20')
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A motion that was interrupted and resumed prints the report of one that ran through, but for the times that it took.
+"""A motion that was interrupted and resumed prints the report of an uninterrupted one, except for computing times.
 
     test_resumed_report.py NETLOFT SOURCE_FOLDER
 """
@@ -17,7 +17,7 @@ sys.path.insert(0, str(SOURCE / "tests" / "support"))
 from journal import Journal
 
 SCENES = SOURCE / "gear-library" / "scenes" / "dynamics"
-# A ball falls from where its slack rope is held, and is caught by it at 0.45 s.
+# A ball falls from the point where its slack rope is held, until the rope stops it at 0.45 s.
 SNAP = """
 [water]
 density = 0
@@ -51,7 +51,7 @@ class ResumedReport(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def run_in(self, name, words, bytes_allowed=None):
-        """What a run prints that may write files of so many bytes."""
+        """The output of a run under this limit on the size of files."""
         def limit():
             if bytes_allowed:
                 resource.setrlimit(resource.RLIMIT_FSIZE, (bytes_allowed, bytes_allowed))
@@ -63,7 +63,7 @@ class ResumedReport(unittest.TestCase):
     def check(self, *words):
         whole = self.run_in("whole", words)
         self.assertIn(whole.returncode, (0, 3), whole.stderr)
-        # One whose result cannot be made leaves its whole journal.
+        # A run whose result cannot be written leaves its complete journal.
         (self.folder / "stuck").mkdir()
         (self.folder / "stuck/r.hdf.new").mkdir()
         self.run_in("stuck", words)

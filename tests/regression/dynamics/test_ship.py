@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is wrong with the path of a ship and with the lengths of its warps is said, and where.
+"""Mistakes in the path of a ship and in the lengths of its warps give messages with places.
 
     test_ship.py NETLOFT SOURCE_FOLDER
 """
@@ -58,7 +58,7 @@ class ShipInMotion(unittest.TestCase):
                 ("ship.warp.tension=\"12 kN\"", "is given beside warp.tension"),
                 ("ship.warp.winch=[{tension=12000},{speed=[0,-1]}]", "ship.warp.winch[1].t: is missing: it is the time at which this table replaces"),
                 ("ship.warp.winch=[{tension=12000},{t=[5,9]}]", "is missing, and so are speed and tension"),
-                ("ship.warp.winch=[{tension=12000},{t=[5,9],length=[240,200]}]", "cannot be given in a table that follows another one"),
+                ("ship.warp.winch=[{tension=12000},{t=[5,9],length=[240,200]}]", "cannot be given in a second or later table"),
                 ("ship.warp.winch=[{t=[0,20],tension=[12000,13000]},{t=[19,30],speed=[0,-1]}]", "begins before the end of the previous table"),
                 ("ship.warp.winch=[{tension=12000},{t=[0,9],speed=[0,-1]}]", "begins before the end of the previous table"),
                 ("ship.warp.winch=[{tension=12000},{t=[5,9],speed=[0,-1],band=5}]", "belongs to a winch that holds a tension"),
@@ -74,7 +74,7 @@ class ShipInMotion(unittest.TestCase):
                 ("ship.warp.winch={tension=12000,dead_band=-1}", "ship.warp.winch.dead_band"),
                 ("ship.warp.winch={t=[0,1],length=[240,200],max_speed=1}", "belongs to a winch that holds a tension"),
                 ("ship.warp={length=240,tension=12000,winch={tension=13000}}", "begins with another value than warp.tension"),
-                ("ship.warp={length=240,tension=12000,tension_port=13000,winch={t=[0,9],tension=[12000,13000]}}", "holds for both warps"),
+                ("ship.warp={length=240,tension=12000,tension_port=13000,winch={t=[0,9],tension=[12000,13000]}}", "is for both warps"),
                 ("gear.extent=half", "the ship turns")):
             with self.subTest(setting=setting):
                 ended = self.run_it(setting)

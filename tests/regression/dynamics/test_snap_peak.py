@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A ball that falls on a slack rope: the peak of the tension by each time scheme, against the closed form of an elastic rope.
+"""A ball that falls on a slack rope: the peak of the tension by each time scheme, compared with the closed form of an elastic rope.
 
     test_snap_peak.py NETLOFT SOURCE_FOLDER
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where a motion begins: in the equilibrium that statics find, where it stays, or where a result has the gear.
+"""Starts of motions: the static equilibrium, in which a motion stays, or the positions of a result.
 
     test_start_of_motion.py NETLOFT SOURCE_FOLDER
 """
@@ -53,7 +53,7 @@ class StartOfMotion(unittest.TestCase):
         return json.loads(ended.stdout)
 
     def places(self, output):
-        """Of all nodes, state by state."""
+        """Positions of all nodes, state by state."""
         with h5py.File(self.file(output)) as f:
             points, count = f["VTKHDF/Points"][()], f["VTKHDF/NumberOfPoints"][0]
             if "Steps" not in f["VTKHDF"]:
@@ -104,7 +104,7 @@ class StartOfMotion(unittest.TestCase):
         self.assertGreater(distance[16], 1e-3)
 
     def test_of_a_whole_gear_is_that_of_its_half(self):
-        """As near as their meshes let it be, and statics find from there what they find from the sketch, to its digits."""
+        """The start is as near as both meshes permit; the equilibrium found from it equals that found from the sketch, to the printed digits."""
         gear, fine = SCENES / "83-112-flume-3.0kn.toml", ["gear.nodes=250", "analysis.tolerance=1e-9"]
         of_whole = ["gear.extent=whole", 'hold=[{on="starboard-towing-point"},{on="port-towing-point"}]']
         self.run_to_the_end(gear, "half.hdf", fine)

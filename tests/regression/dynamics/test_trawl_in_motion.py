@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A whole trawl that speeds up, turns and hauls: its doors stand, few steps are tried in vain, and killed it goes on to the same bits.
+"""A whole trawl that speeds up, turns and hauls: its doors stay upright, few steps are rejected, and a killed run continues with the same bits.
 
     test_trawl_in_motion.py NETLOFT SOURCE_FOLDER
 """
@@ -58,7 +58,7 @@ class TrawlInMotion(unittest.TestCase):
                 self.expect_doors_that_stand(50, 70)
 
     def test_speeds_up_and_turns_in_few_tries(self):
-        """Newton's steps along unsymmetric tangents once led uphill, and steps in time were cut until they did not."""
+        """Newton's steps with unsymmetric tangents once raised the residual, and time steps were shortened until they did not."""
         answer = self.run_it("gear.nodes=300", "ship.warp.winch={t=[0,9],speed=[0,0]}", "analysis.duration=40",
                              'ship.path.heading=["0 deg","0 deg","45 deg"]')
         self.assertEqual(answer["warnings"], [])
@@ -66,7 +66,7 @@ class TrawlInMotion(unittest.TestCase):
         self.assertLess(answer["steps"] + answer["rejected_steps"], 40)
 
     def test_turns_by_a_right_angle_on_held_tension_and_hauls(self):
-        """So coarse a gear pulls more than the scene's: another tension keeps the length. As the haul ends the gear slackens, and its inner door leans."""
+        """This coarse gear has more drag than that of the scene, so another tension keeps the length. When the haul ends, the gear slackens and its inner door leans."""
         answer = self.run_it("gear.nodes=120", 'ship.warp.winch[1].tension=["20.6 kN"]')
         self.expect_doors_that_stand(35, 75, 60)
         with h5py.File(self.output) as f:
@@ -88,7 +88,7 @@ class TrawlInMotion(unittest.TestCase):
             self.assertRegex(sentence, f"at t = 0 s {door} has fallen over: its top is turned inward by 1[0-9][0-9]°")
 
     def test_goes_on_to_the_same_bits_after_a_kill(self):
-        """Its winches stand, hold a tension, and haul."""
+        """Its winches stand still, hold a tension, and haul."""
         settings = ("gear.nodes=100", "analysis.duration=20", "analysis.output_interval=0.1",
                     'ship.warp.winch=[{t=[0,6],speed=[0,0]},{t=[6],tension=["17.5 kN"]},{t=[12,14],speed=[0,-0.5]}]')
         self.run_it(*settings)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Waves move what floats as linear theory says, are the same for the same seed, and wrong ones are located errors.
+"""Waves move floating bodies as in linear theory, are equal for equal seeds, and wrong waves give errors with places.
 
     test_waves.py NETLOFT SOURCE_FOLDER
 """
@@ -89,14 +89,14 @@ class Waves(unittest.TestCase):
         return ended.stdout + ended.stderr
 
     def frames(self):
-        """Times, and the places of all nodes at each."""
+        """Times, and the positions of all nodes at each."""
         with h5py.File(self.folder / "out.hdf") as f:
             points, count = f["VTKHDF/Points"][()], f["VTKHDF/NumberOfPoints"][0]
             places = [points[first:first + count] for first in f["VTKHDF/Steps/PointOffsets"][()]]
             return f["VTKHDF/Steps/Values"][()], np.array(places)
 
     def amplitude(self, axis):
-        """Of the last node's motion at the waves' period, over its last four periods."""
+        """Amplitude of the last node at the period of the waves, over the last four periods."""
         t, places = self.frames()
         x = places[:, -1, axis]
         last = t > t[-1] - 4 * PERIOD + 1e-6

@@ -299,7 +299,8 @@ class Invariance(unittest.TestCase):
                     for figure, value in as_written.items():
                         if name in ("on two threads", "again", "included by another file"):
                             self.assertEqual(other[figure], value, figure)
-                        # Steps of a motion depend on the axes: the largest error of one component chooses them.
+                        # Steps of a motion depend on the axes, because the largest error of any component
+                        # decides their length.
                         within = 1e-3 if scene is swinging_rope else 1e-6
                         self.assertAlmostEqual(other[figure], value, delta=within * max(abs(value), 1e-1), msg=figure)
         self.assertEqual(runs, len(SCENES) * len(WAYS))

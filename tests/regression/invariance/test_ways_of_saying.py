@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Each pair of ways of saying the same current, depth, hold, length or number gives one answer.
+"""Different ways of writing the same current, depth, hold, length or number give the same answer.
 
     test_ways_of_saying.py NETLOFT
 
-`WAYS` is the table: a subject, and the ways of saying it, each as replacements in the same scene. All figures of a subject agree to 1e-9; they differ
+`WAYS` is the table: a subject, and the ways of writing it, each as replacements in the same scene. All figures of a subject agree to 1e-9; they differ
 from those of the scene without the subject (`other`), so that a way that is ignored is found.
 """
 import subprocess

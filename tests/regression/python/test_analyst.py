@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What an analyst does in a notebook: change, solve, read figures and arrays, differentiate, sweep, keep."""
+"""Steps of an analyst in a notebook: change a scene, solve it, read figures and arrays, differentiate, sweep, save."""
 import gc
 import html
 import os

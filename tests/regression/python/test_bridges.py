@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Derivatives that other libraries get through netloft.torch and netloft.jax are those of equilibria beside.
-
-The libraries themselves take part where they are installed; otherwise the few names of them that count are in stubs/.
+"""Derivatives that other libraries get through netloft.torch and netloft.jax equal differences of nearby equilibria. If the libraries are not installed, stubs/ has the few names that are needed.
 """
 import sys
 import unittest
@@ -52,7 +50,8 @@ class Bridged(unittest.TestCase):
                 for i, value in enumerate(x):
                     sides = [self.value(function, [*x[:i], value * (1 + sign * STEP), *x[i + 1 :]]) for sign in (1, -1)]
                     numeric[:, i] = (sides[0] - sides[1]) / (2 * STEP * value)
-                # rtol: the mean of both sides differs from the slope by the bend of the figure over the step
+                # rtol: the mean slope of both sides differs from the derivative by the curvature of the
+                # figure over the step
                 numpy.testing.assert_allclose(found, numeric, rtol=1e-4, atol=1e-6 * numpy.abs(numeric * x).max() / numpy.min(numpy.abs(x)))
 
 
@@ -127,7 +126,7 @@ class AFunctionOfNumbers(unittest.TestCase):
         self.assertEqual(of.values(near), other.values(near))
 
     def test_keeps_the_mesh(self):
-        """Without mesh_of, the mesh of other counts differs by more than the effect of the counts."""
+        """Without mesh_of, the effect of another mesh is larger than the effect of the counts."""
         case = CASES[6]
         of = Figures(scene_of(case), case[2], case[3])
         x = of.vector({})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""An energy in Python is an element: it conforms, and hangs as the plugin hangs."""
+"""An element whose energy is written in Python passes the checks, and gives the same equilibrium as a plugin."""
 import math
 import tempfile
 import threading

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Mistakes of a notebook: each is an exception that says the cure, and the interpreter lives on."""
+"""Mistakes in a notebook: each raises an exception that says the cure, and the interpreter continues."""
 import re
 import tempfile
 import unittest

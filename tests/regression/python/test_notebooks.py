@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The notebooks run, cell by cell, and find what they say."""
+"""The notebooks run, cell by cell, and give the results that their texts state."""
 import json
 import math
 import re
@@ -14,7 +14,8 @@ sys.path.append(str(FOLDER / "notebooks"))
 import render
 
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
-# Rounding decides on these: errors of the solver, numbers of factorisations, and distances between equal shapes.
+# Numbers that depend on rounding: errors of the solver, numbers of factorisations, and distances between
+# equal shapes.
 OF_ROUNDING = re.compile(r"± \S+|\d+ f\.|\d\.\d+e-\d+|: 0\.0\b")
 
 
@@ -26,7 +27,7 @@ def parts_of(page):
 
 class Notebooks(unittest.TestCase):
     def run_notebook(self, name):
-        """The names after all cells. The page beside the notebook has to be that of this run."""
+        """The names after all cells. The page beside the notebook must equal that of this run."""
         with tempfile.TemporaryDirectory() as folder:
             page, names = render.render(FOLDER / f"notebooks/{name}.ipynb", Path(folder))
             pictures = sorted(path.name for path in Path(folder).iterdir())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every block of RECIPES.md runs where its packages are installed, and the surrogates estimate what solves give."""
+"""Every block of RECIPES.md runs where its packages are installed, and the surrogates agree with solves."""
 import importlib.util
 import sys
 import unittest

@@ -33,7 +33,7 @@ NOT_COMPARED = ("/netloft/provenance", "/netloft/cost", "/netloft/statistics")  
 
 
 def datasets(path):
-    """Name and bytes of everything in a result that tells neither the time nor where plugins lie."""
+    """Names and bytes of all data in a result except times and paths of plugins."""
     found = {}
 
     def keep(name, item):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Solvers in Python stand beside those of plugins, and are judged by the same host."""
+"""Solvers in Python are used like those of plugins, and their results are judged in the same way."""
 import faulthandler
 import tempfile
 import threading

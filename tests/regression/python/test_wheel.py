@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The wheel: made without a network, installed in a virtual environment, tried from an empty folder."""
+"""The wheel: made without a network, installed in a virtual environment, used from an empty folder."""
 import json
 import os
 import re
@@ -22,13 +22,14 @@ print(json.dumps({"figures": {name: float(q).hex() for name, q in r.report.items
 """
 
 
-# Names in what is under the GPL, or stands in one archive with it: of functions, or of sources that messages name.
+# Names in libraries under the GPL, or in archives together with them: names of functions, and of sources that
+# appear in messages.
 UNDER_THE_GPL = re.compile(rb"cholmod_|umfpack_|CGAL[:_/ ]", re.IGNORECASE)
 OF_SUITESPARSE = [Path("/usr/lib/x86_64-linux-gnu") / name for name in ("libcholmod.so", "libumfpack.so", "libcholmod.a", "libumfpack.a")]
 
 
 def parts_under_the_gpl(content):
-    """Their names in the bytes of a program or library, with what of its symbols is not stripped."""
+    """Names of UNDER_THE_GPL in the bytes of a program or library, and in its remaining symbols."""
     return sorted({name.decode() for name in UNDER_THE_GPL.findall(content)})
 
 

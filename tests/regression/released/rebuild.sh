@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# rebuild.sh: makes abi-MAJOR.MINOR/released.so from released.cpp and the header as it is. To be run once for every
-# interface that is released, never for one whose file is there already: that file is what others have in their hands.
+# rebuild.sh: makes abi-MAJOR.MINOR/released.so from released.cpp and the current header. Run it once for
+# every released interface, and never for one whose file exists: plugins of users were built like that file.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -14,7 +14,7 @@ if [[ -e $file && ${1-} != --again ]]; then
   exit 1
 fi
 mkdir -p "$(dirname "$file")"
-# For any x86-64; nothing of the build remains in it.
+# Compiled for any x86-64, without debug information.
 cd "$here" && "${CXX:-c++}" -std=c++20 -Os -fPIC -shared -fvisibility=hidden -fvisibility-inlines-hidden -ffp-contract=off \
   -fno-math-errno -fno-trapping-math -fno-ident -flto -Wl,--build-id=none -Wl,-z,defs \
   -Wl,-z,noseparate-code -Wl,--version-script="$root/cmake/plugin.map" -I"$root/framework/include" -s released.cpp -o "$file"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One of everything, by the author's layer: what a plugin from outside may be made of. Built once for an
-// interface and kept as a file, it must be loaded by every later program; see rebuild.sh.
+// A plugin with one component of each kind, written with the C++ headers like a plugin of a user. It is built
+// once for an interface and kept as a file; every later program must load it. See rebuild.sh.
 #include <netloft/integrator.hpp>
 #include <netloft/law.hpp>
 #include <netloft/solver.hpp>
@@ -45,7 +45,7 @@ struct Square {
   }
 };
 
-/// Newton's method, as it stands in statistics.
+/// Newton's method, as in the guide of solvers.
 struct Newton {
   struct Parameters {
     std::int64_t most = 0;
@@ -79,7 +79,7 @@ struct Euler {
   }
 };
 
-/// A few steps of Newton's method of its own, then the solver from there.
+/// Solves a few steps by its own Newton's method, then calls the solver.
 struct Own {
   struct Parameters {
     std::int64_t steps = 0;

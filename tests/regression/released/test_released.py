@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plugins that were built against interfaces of the past run in the program of today."""
+"""Plugins that were built for earlier interfaces run in the present program."""
 import json
 import os
 import platform
@@ -23,7 +23,7 @@ class Released(unittest.TestCase):
         return subprocess.run([PROGRAM, *map(str, words)], cwd=HERE, capture_output=True, text=True, timeout=120)
 
     def has_strategy(self, folder):
-        """Of the file that is kept for it: since interface 1.3."""
+        """Whether the kept plugin has a strategy, as since interface 1.3."""
         return tuple(map(int, folder.name.removeprefix("abi-").split("."))) >= (1, 3)
 
     def folders(self):

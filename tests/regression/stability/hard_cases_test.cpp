@@ -14,7 +14,7 @@ std::vector<Row> run_small(const Suite& suite, const Column& column) {
   References references(suite.folder / "references.json");
   RunOptions options;
   options.sizes = {"small"};
-  options.seconds = 60;  // by the wall; machines that test are busy
+  options.seconds = 60;  // wall time, generous because test machines are busy
   return run_suite(suite, {column}, references, test::shipped_plugins(), options);
 }
 
@@ -26,9 +26,9 @@ std::string rows_where(const std::vector<Row>& rows, const Is& is) {
   return names;
 }
 
-/// Claims success where there is no equilibrium, at another than the only one, or where a disturbance grows.
+/// Whether success is claimed without an equilibrium, away from the only one, or where a disturbance grows.
 bool claims_wrong(const Cell& c) { return is_claimed_wrong(c.verdict.where); }
-/// Whether growth of disturbances was not examined although forces have no energy, which the suite has to do.
+/// Whether it was not examined if disturbances grow although forces have no energy, which the suite must do.
 bool is_not_asked(const Cell& c) { return c.status == "converged" && c.stability == "unknown"; }
 bool is_not_set_up(const Cell& c) {
   return c.verdict.where == Where::not_run && c.expected != Expected::none;
@@ -57,8 +57,8 @@ TEST(HardCases, NewtonTellsTheTruthAboutAllOfThem) {
   EXPECT_EQ(rows_where(rows, is_missed_rope), "");
 }
 
-// Not the random ones: of some cod-ends no stable shape is known. A few nets that resist compression are in
-// equilibrium in many shapes, of which restarts need not find the lowest.
+// Random cases are left out, because no stable shape of some cod-ends is known. A few nets that resist
+// compression are in equilibrium in many shapes, of which restarts need not find the lowest.
 constexpr std::size_t kMostMissed = 2;
 
 TEST(HardCases, AutoClaimsNothingWrongAndMissesAFewAtTheMost) {

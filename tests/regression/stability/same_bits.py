@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What of a run must not depend on the machine: its stages and results, to the bit, without clocks and places of files."""
+"""The parts of a run that must have the same bits on every machine: its stages and results, without times and paths of files."""
 import json
 import os
 import subprocess
@@ -14,7 +14,7 @@ SECONDS = "s"
 
 
 def without_times(value):
-    """A JSON value without what a clock has measured and where the result was written."""
+    """A JSON value without times and without the path of the result."""
     if isinstance(value, dict):
         return {k: without_times(v) for k, v in value.items() if "seconds" not in k and k not in ("output", "threads", "plan")}
     if isinstance(value, list):
@@ -23,7 +23,7 @@ def without_times(value):
 
 
 def datasets(file):
-    """Every dataset of a result but times, as bytes by its name."""
+    """Every dataset of a result except times, as bytes by name."""
     found = {}
 
     def keep(name, item):
@@ -50,7 +50,7 @@ def run(program, scene, settings, threads):
 
 
 class Busy:
-    """As many processes as asked for that do nothing but use a processor, while it is entered."""
+    """A context in which this number of processes keep processors busy."""
 
     def __init__(self, count=None):
         self.count = count or 2 * (os.cpu_count() or 1)

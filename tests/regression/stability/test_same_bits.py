@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Stages and results have the same bits with one thread, with two, and beside processes that keep the machine busy.
+"""Stages and results have the same bits with one thread, with two, and while other processes keep the machine busy.
 
 NETLOFT_PROGRAM names the program, NETLOFT_SOURCE_DIR the source tree.
 """
@@ -14,7 +14,8 @@ SOURCE = Path(os.environ["NETLOFT_SOURCE_DIR"])
 LIBRARY = SOURCE / "gear-library" / "scenes"
 HARD = SOURCE / "tests" / "stability" / "scenes"
 
-# Ropes and netting, with and without an energy, contact, friction, a catch, a net plan: what strategies tell apart.
+# Ropes and netting, with and without an energy, contact, friction, a catch, a net plan: all the features by
+# which strategies choose their attempts.
 SCENES = (
     (LIBRARY / "hanging-rope.toml", ()),
     (LIBRARY / "dead-weight-panel.toml", ("parts.net.cells=[12,12]",)),

@@ -11,7 +11,7 @@ namespace netloft::hard_cases {
 /// A column of the matrix: a strategy, a solver, and other settings of the analysis.
 struct Column {
   std::string solver;    // "newton:method=classic"; empty: that of the analysis
-  std::string strategy;  // "auto:without=restarts"; empty: the solver alone
+  std::string strategy;  // "auto:without=restarts"; empty: only the solver
   std::vector<std::string> overrides = {};
   std::vector<std::string> sizes = {};  // sizes at which it runs if no option names it; empty: all
   std::string title = {};               // its heading; empty: the strategy and the solver
@@ -33,8 +33,7 @@ std::string component_of(const std::string& specification);
 /// std::invalid_argument with a sentence if a specification is not understood.
 std::vector<std::string> overrides_of(const Column& column);
 
-/// Reports wrong settings of the analysis, which would be wrong in every case. Returns whether a plugin was
-/// refused.
+/// Reports settings of the analysis that are wrong in every case. Returns whether a plugin was refused.
 bool check_settings(const Column& column, Registry& registry, formats::Diagnostics& diagnostics);
 
 }  // namespace netloft::hard_cases

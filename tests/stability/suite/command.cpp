@@ -53,8 +53,8 @@ std::vector<Column> wanted_columns(const Suite& suite, const SuiteOptions& o) {
 
 bool is_asked_for(const SuiteOptions& o) { return !o.solvers.empty() || !o.strategies.empty(); }
 
-/// Whether the components of a column exist. If not, or if the column cannot be understood, a column that an
-/// option names is a UsageError.
+/// Whether the components of a column exist. If they do not, or if the column cannot be understood, a column
+/// that an option names is a UsageError.
 bool is_there(const Column& column, Registry& registry, bool asked_for) {
   try {
     overrides_of(column);
@@ -80,7 +80,8 @@ std::vector<Column> find_columns(const Suite& suite, const SuiteOptions& options
       terminal.say("there is no " + column.head() + ": left out");
   }
   if (columns.empty())
-    throw program::UsageError{"there is none of the suite's solvers; name one with --solver or --strategy"};
+    throw program::UsageError{
+        "this program has none of the solvers of the suite; name one with --solver or --strategy"};
   return columns;
 }
 
@@ -94,7 +95,7 @@ int print_matrix(const MatrixTitle& title, const SuiteOptions& options, const st
   return program::write_last(terminal, code, [&] { formats::write_keeping(page, matrix_html(title, rows)); });
 }
 
-/// Whether the first column got all cases right.
+/// Whether the first column solved all cases correctly.
 bool first_is_right(const std::vector<Row>& rows) {
   return std::all_of(rows.begin(), rows.end(),
                      [](const Row& row) { return is_right(row.cells.front().verdict.where); });
@@ -152,8 +153,7 @@ int run_hard_cases(const SuiteOptions& o) {
   program::find_plugins(o, registry);
   formats::Diagnostics diagnostics;
   if (o.update_references && !o.set.empty())
-    throw program::UsageError{
-        "--update-references keeps answers of the cases as they are written; --set changes them"};
+    throw program::UsageError{"--update-references stores answers of unchanged cases only; leave out --set"};
   program::require_ending("-o", o.output, {".html", ".htm"});
   program::require_place(o.output, {});
   const std::filesystem::path folder = o.suite;

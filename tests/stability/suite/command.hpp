@@ -4,8 +4,8 @@
 
 namespace netloft::hard_cases {
 
-/// Runs the suite and prints the matrix. Returns the exit code: kNotConverged unless the first column got
-/// every case right. Throws program::UsageError.
+/// Runs the suite and prints the matrix. Returns the exit code: kNotConverged unless the first column solved
+/// every case correctly. Throws program::UsageError.
 int run_hard_cases(const SuiteOptions& options);
 
 }  // namespace netloft::hard_cases

@@ -40,8 +40,8 @@ Where judge_failure(const Ended& ended, Expected expected, bool has_reference) {
   return ended.solution.status == SolveStatus::unstable ? Where::unstable : Where::failed;
 }
 
-/// A solver that stops at its tolerance is at the reference within kSameShape, which is `near`. A unique
-/// answer has to be within kSamePlace.
+/// A solver that stops at its tolerance ends within kSameShape of the reference, which counts as `near`. A
+/// unique answer must be within kSamePlace.
 Where judge_precision(const Verdict& v, Expected expected) {
   return expected == Expected::unique && v.distance > kSamePlace ? Where::near : Where::reference;
 }

@@ -24,7 +24,7 @@ struct Reference {
   double residual = 0;   // largest residual force on a node [N]
 };
 
-/// How a solver did: the suite's classification of the point at which it ended.
+/// The suite's classification of the point at which a solver ended.
 enum class Where {
   reference,  // at the best known equilibrium
   lower,      // stable, with less energy than the best known equilibrium
@@ -33,15 +33,15 @@ enum class Where {
   higher,     // stable, with more energy: an equilibrium of the gear, but not the best
   wrong,      // claims success, but is unstable or not at the only equilibrium
   unstable,   // at a stationary point that is not stable, and reports it
-  unproven,   // claims success, but it could not be found out whether the point is stable
-  failed,     // reports that it has not converged
-  honest,     // there is no equilibrium, and it reports a failure
-  late,       // there is no equilibrium, and it fails only because its budget is used up
-  lied,       // there is no equilibrium, and it claims success
+  unproven,   // claims success, but it is not known whether the point is stable
+  failed,     // the solver reports that it has not converged
+  honest,     // there is no equilibrium, and the solver reports a failure
+  late,       // there is no equilibrium, and the solver fails only because its budget is used up
+  lied,       // there is no equilibrium, and the solver claims success
   flutters,   // the gear swings about an equilibrium, as reported, and no solver of this run found it at rest
   unsettled,  // the gear never comes to rest, as reported, and no solver of this run found it at rest
   not_run,    // the case could not be set up
-  unfit,      // the solver is not made for such a problem, or is left out at this size
+  unfit,      // the solver is not made for such a problem, or is not run at this size
 };
 
 struct Verdict {
@@ -50,28 +50,28 @@ struct Verdict {
   double gap = 0;       // energy above the reference, scaled so that kSameEnergy is the noise
 };
 
-/// Limits for the same energy, relative, and, for positions over the size, of the same shape and a unique
-/// answer.
+/// Relative limit for equal energies, and limits, as fractions of the gear's size, for equal shapes and for a
+/// unique answer.
 inline constexpr double kSameEnergy = 1e-9, kSameShape = 1e-5, kSamePlace = 1e-8;
 
 /// Energies that differ by less count as equal [J]: kSameEnergy of the energy, or of the work of the largest
 /// load across the gear, but at least the energy that rounding of the positions can change.
 double energy_noise(const Reference& reference, const Solution& solution);
 
-/// Data by which a solution is judged, independent of the claims of the solver.
+/// Data by which a solution is judged, independently of the claims of the solver.
 struct Ended {
   Solution solution;
   std::vector<double> positions;  // of all nodes [m]
   std::size_t unknowns = 0;
   bool conservative = true;  // the energy decides which of two equilibria is better
-  /// Stability as the suite finds it: as judged by the host if forces have an energy, else by the growth of a
+  /// Stability found by the suite: from the energy if forces have one, otherwise by the growth of a
   /// disturbance (framework/judging/growth.hpp), which is computed for every claim of success.
   Stability stability = Stability::unknown;
   bool out_of_budget = false;
   bool unfit = false;  // the solver is not made for this problem
 
   bool claims_success() const { return !unfit && solution.status == SolveStatus::converged; }
-  /// Whether the point is a stable equilibrium, by the suite's own finding.
+  /// Whether the point is a stable equilibrium, as found by the suite itself.
   bool is_at_rest() const {
     return claims_success() && (stability == Stability::stable || stability == Stability::neutral);
   }

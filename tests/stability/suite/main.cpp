@@ -6,7 +6,7 @@
 int main(int argc, char** argv) {
   using namespace netloft;
   hard_cases::SuiteOptions options;
-  CLI::App app{"Runs strategies and solvers on the suite of hard cases, and prints how they did.",
+  CLI::App app{"Runs strategies and solvers on the suite of hard cases, and prints their results.",
                "hard_cases"};
   hard_cases::add_options(app, options);
   return program::run_program(app, argc, argv, [&] {

@@ -22,7 +22,7 @@ struct KindTally {
 };
 std::vector<KindTally> tally_by_kind(const std::vector<Row>& rows);
 
-/// The matrix of cases and solvers: for a terminal, for a program, and as a page of its own.
+/// The matrix of cases and solvers, printed on a terminal, as JSON, or as a page.
 struct MatrixTitle {
   std::string folder;
   std::uint64_t seed = 1;

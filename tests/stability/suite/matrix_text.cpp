@@ -60,7 +60,7 @@ std::string tally_text(const std::vector<Row>& rows) {
   return text;
 }
 
-/// Right and claimed wrong of each kind: "9/10", "9/10 !!1".
+/// Counts of right answers and wrong claims of each kind: "9/10", "9/10 !!1".
 std::string kinds_text(const std::vector<Row>& rows) {
   const auto kinds = tally_by_kind(rows);
   if (kinds.size() < 2) return "";

@@ -11,7 +11,7 @@ namespace {
 
 void add_columns(CLI::App& app, SuiteOptions& s) {
   program::as_words(
-      app.add_option("--strategy", s.strategies, "strategy; may be repeated, and stand beside solvers"),
+      app.add_option("--strategy", s.strategies, "strategy; may be repeated and combined with --solver"),
       program::kMethod);
   program::as_words(
       app.add_option("--without", s.without, "leave out an attempt of the strategy auto; may be repeated"),
@@ -23,7 +23,7 @@ void add_columns(CLI::App& app, SuiteOptions& s) {
 }
 
 void add_cases(CLI::App& app, SuiteOptions& s) {
-  app.add_option("--size", s.sizes, "about 200, 800 and 12000 unknowns; else small,medium")
+  app.add_option("--size", s.sizes, "sizes of about 200, 800 and 12000 unknowns; default: small,medium")
       ->check(CLI::IsMember({"small", "medium", "large"}))
       ->delimiter(',')
       ->allow_extra_args(false);
@@ -35,20 +35,21 @@ void add_cases(CLI::App& app, SuiteOptions& s) {
 void add_budgets(CLI::App& app, SuiteOptions& s) {
   app.add_option("--seconds-per-case", s.seconds, "else 10, and 60 of large ones")
       ->check(program::numbers_between(0.001, 1e6));
-  app.add_option("--work", s.work, "for one case, in iterations of Newton's method for its scene; else any")
+  app.add_option("--work", s.work,
+                 "limit for one case, in iterations of Newton's method for its scene; default: none")
       ->check(program::numbers_between(1.0, 1e9));
 }
 
 }  // namespace
 
 void add_options(CLI::App& app, SuiteOptions& s) {
-  app.add_option("SUITE", s.suite, "folder of the suite; else tests/stability here");
+  app.add_option("SUITE", s.suite, "folder of the suite; default: tests/stability in this folder");
   add_columns(app, s);
   add_cases(app, s);
   add_budgets(app, s);
   app.add_option("-o,--output", s.output, "write the matrix as a page")->type_name("FILE.html");
-  app.add_flag("--update-references", s.update_references, "keep the best answers found in the suite");
-  app.add_option("--threads", s.threads, "threads of the assembly; else one")->check(CLI::Range(1, 1024));
+  app.add_flag("--update-references", s.update_references, "store the best answers in the suite");
+  app.add_option("--threads", s.threads, "threads of the assembly; default: one")->check(CLI::Range(1, 1024));
   program::add_plugin_options(app, s);
 }
 

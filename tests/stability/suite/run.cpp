@@ -23,7 +23,7 @@ constexpr std::size_t kHistoryKept = 24;
 struct Attempt {
   Ended ended;
   bool ran = false;
-  bool is_refused_anyhow = false;  // the case is refused in the same way without the settings of the column
+  bool is_refused_anyhow = false;  // the case is also refused without the settings of the column
   std::string status, why_not;     // the reason why it did not run
 };
 
@@ -129,7 +129,7 @@ class SuiteRun {
       e.solution = runs::find_equilibrium(one, options_.watch);
     } catch (const PluginRefused&) {
       throw;
-    } catch (const std::runtime_error& failed) {  // a plugin fails in this case, and may succeed in others
+    } catch (const std::runtime_error& failed) {  // the plugin fails in this case, but may succeed in others
       a.ran = false, a.status = "failed", a.why_not = failed.what();
       return a;
     }

@@ -15,13 +15,13 @@ struct Cell {
   Expected expected = Expected::stable;
   std::size_t unknowns = 0;
   Verdict verdict;
-  bool confirmed = true;  // false: an equilibrium was found, but no other solver has found a stable one
+  bool confirmed = true;  // false: no solver but this one has found a stable equilibrium
   std::string status, stability, reason;
   int iterations = 0, factorisations = 0;
   double cpu_seconds = 0, energy = 0;
   std::vector<StageRecord> stages;       // stages before the last, if there were several
   Shapes shapes;                         // other equilibria that restarts have found
-  std::vector<IterationRecord> history;  // the first iterations, the last ones, and some between
+  std::vector<IterationRecord> history;  // the first and last iterations, and some between them
 };
 
 /// All solvers on one case at one size.
@@ -43,9 +43,9 @@ struct RunOptions {
   std::function<void(const Row&)> on_row;
 };
 
-/// Reads the wanted cases with the settings of the columns, until one is accepted. Returns the diagnostics of
-/// the first column whose settings no case accepts, though a case is accepted without them; nothing if there
-/// is none. Such settings are wrong, and not only unfit for some gears.
+/// Reads the chosen cases with the settings of each column until a case is accepted. Returns the diagnostics
+/// of the first column whose settings no case accepts, although a case is accepted without them; nothing if
+/// there is no such column. Its settings are wrong in general, and not only unsuitable for some gears.
 std::optional<formats::Diagnostics> refuse_settings(const Suite& suite, const std::vector<Column>& columns,
                                                     References& references, Registry& registry,
                                                     const RunOptions& options);

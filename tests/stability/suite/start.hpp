@@ -9,17 +9,17 @@
 
 namespace netloft::hard_cases {
 
-/// One way to spoil a start, for each node at x: noise x ← x + random, scale c + F (x − c), turn c + R (x −
-/// c), shift x + d, or shuffle, which gives a node the place of another free node. Held nodes keep the
-/// coordinates that are held; rigid bodies do not move.
+/// One way to disturb the initial shape, for each node at x: noise x ← x + random, scale c + F (x − c), turn
+/// c + R (x − c), shift x + d, or shuffle, which moves a node to the position of another free node. Held
+/// nodes keep the coordinates that are held; rigid bodies do not move.
 struct StartStep {
   enum class Kind { noise, scale, turn, shift, shuffle };
   Kind kind = Kind::noise;
-  double amplitude = 0;                   // of noise, whose coordinates are uniform up to ± this [m]
-  double angle = 0;                       // of a turn [rad]
-  int axis = 0;                           // of a turn: 0 x, 1 y, 2 z
+  double amplitude = 0;  // for noise: coordinates are moved by random numbers, uniform up to ± this [m]
+  double angle = 0;      // of a turn [rad]
+  int axis = 0;          // of a turn: 0 x, 1 y, 2 z
   std::array<double, 3> factor{1, 1, 1};  // F of a scaling, by axis
-  std::array<double, 3> about{};          // c, the point that scaling and turning leave in place [m]
+  std::array<double, 3> about{};          // c, the fixed point of scaling and turning [m]
   std::array<double, 3> shift{};          // [m]
   std::uint64_t seed = 1;
 };

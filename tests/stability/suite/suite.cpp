@@ -54,7 +54,7 @@ class GroupReader {
     table.finish();
   }
 
-  /// Reads a [[case]]. A random one makes as many cases as its `count` says.
+  /// Reads a [[case]]. A random [[case]] stands for `count` cases.
   void read_entry(const formats::Value& entry) {
     TableReader plain(entry, diagnostics_, "case");
     if (!plain.has("vary")) return read_case(entry, "", 1, false);
@@ -110,8 +110,9 @@ Column read_column(TableReader& table) {
   if (column.solver.empty() && column.strategy.empty())
     table.error("use", "is missing: a solver, or a strategy under the key strategy");
   column.overrides = read_words(table, "set", "values of the scene, path=value");
-  column.sizes = read_words(table, "sizes", "sizes that it is run at; all if left out");
-  column.title = table.text("title", {.doc = "head of the column; else what it runs", .fallback = ""});
+  column.sizes = read_words(table, "sizes", "sizes at which it runs; default: all");
+  column.title = table.text(
+      "title", {.doc = "heading of the column; default: the strategy and the solver", .fallback = ""});
   return column;
 }
 

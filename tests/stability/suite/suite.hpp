@@ -15,7 +15,7 @@ namespace netloft::hard_cases {
 /// report that.
 enum class Expected { unique, stable, none };
 
-/// One hard case: a scene, the changes to it, and how its start is spoilt.
+/// One hard case: a scene, the changes to it, and how its initial shape is disturbed.
 struct HardCase {
   std::string name;   // "panel/noise-of-two-meshes"
   std::string about;  // a sentence
@@ -24,8 +24,8 @@ struct HardCase {
   std::map<std::string, std::vector<std::string>> sizes;  // "small" -> overrides
   std::vector<StartStep> start;
   Expected expected = Expected::stable;
-  bool neutral = false;    // some motion meets no force: only the energy is compared
-  bool is_random = false;  // made of random numbers: its reference is the best equilibrium of the run
+  bool neutral = false;    // some motion meets no force, so only the energy is compared
+  bool is_random = false;  // made from random numbers; its reference is the best equilibrium of the run
   std::string reference;   // name of the reference, which several cases may share
 };
 

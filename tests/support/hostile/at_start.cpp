@@ -21,7 +21,7 @@ void* volatile kept;
 
 __attribute__((constructor)) void start_up() {
   if (has("exits_at_once")) std::exit(0);
-  // An earlier program took this exit code of a trial for success.
+  // An earlier version of the program mistook this exit code of the trial process for success.
   if (has("ends_with_any_code")) _exit(77);
   while (has("eats_memory")) {
     constexpr std::size_t kPiece = std::size_t{1} << 24;
@@ -36,7 +36,7 @@ int evaluate(const void*, const netloft_law_tile*) { return NETLOFT_OK; }
 
 extern "C" NETLOFT_EXPORT const netloft_plugin* netloft_plugin_v1(void) {
   static const char* words[] = {"first", "second", nullptr};
-  // A wild pointer to a text that is read only if help is requested.
+  // A wild pointer to a text that only `describe` reads.
   if (has("wild_word")) words[1] = reinterpret_cast<const char*>(std::uintptr_t{0x1230});
   static netloft_parameter choice{};
   choice.size = sizeof choice, choice.kind = NETLOFT_CHOICE, choice.name = "word", choice.unit = "1";

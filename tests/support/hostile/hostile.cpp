@@ -103,7 +103,7 @@ struct Insists {
 
 }  // namespace
 
-NETLOFT_PLUGIN("hostile", "1", "What does harm in the middle of a run") {
+NETLOFT_PLUGIN("hostile", "1", "Components that do harm in the middle of a run") {
   add<Crashes, crash>(plugin, "crashes");
   add<Overflows, overflow_stack>(plugin, "overflows");
   add<Exits, end_program>(plugin, "exits");

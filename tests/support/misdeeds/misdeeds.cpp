@@ -27,7 +27,7 @@ namespace {
 std::jmp_buf earlier;
 bool may_jump = false;
 
-/// The deed of a function; empty if it does nothing wrong.
+/// The fault that MISDEED assigns to a function; empty if it has none.
 std::string_view deed_of(std::string_view function) {
   const char* all = std::getenv("MISDEED");
   const std::string_view words = all ? all : "";
@@ -63,7 +63,7 @@ void end(std::string_view deed) {
   if (deed == "recursion" && overflow(0) == 1) std::abort();
 }
 
-/// Does what is asked of a function, and returns the status with which it is to return.
+/// Commits the fault assigned to a function. Returns the status that the function should return.
 int act(std::string_view function, int right = NETLOFT_OK) {
   const std::string_view deed = deed_of(function);
   if (deed.empty()) return right;
@@ -76,7 +76,7 @@ int act(std::string_view function, int right = NETLOFT_OK) {
   return right;
 }
 
-/// Fills the memory for a sentence to its last byte, and says that the call failed.
+/// Fills the memory for a message to its last byte, and returns an error.
 int act_with_words(std::string_view function, char* words, std::uint32_t size, int failed,
                    int right = NETLOFT_OK) {
   if (deed_of(function) != "endless_words") return act(function, right);

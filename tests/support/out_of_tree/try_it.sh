@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# try_it.sh CC CXX INCLUDE CHECK_PLUGIN: what a third party does: one file anywhere, one compiler call, one check. The plugin
-# in plain C has the core of the boundary alone.
+# try_it.sh CC CXX INCLUDE CHECK_PLUGIN: compiles a plugin from one file outside the repository and checks it.
+# The plugin in C uses only plugin.h.
 set -euo pipefail
 
 cc=$1 cxx=$2 include=$3 check_plugin=$4

@@ -95,7 +95,7 @@ int create(netloft_create*, void** self) {
 }
 void destroy(void*) {}
 
-/// Structs one after the other, `Step` bytes each, as in a plugin of another minor version.
+/// An array of structs, `Step` bytes apart, as in a plugin of another minor version.
 template <class T, std::size_t Count, std::size_t Step>
 struct Array {
   explicit Array(const T (&rows)[Count]) {
@@ -232,7 +232,7 @@ netloft_plugin plugin() {
   p.version = "1", p.doc = "a plugin", p.compiler = "";
   p.elements = elements(), p.element_count = 2;
   if (has(FLAW_wild_table)) p.elements = reinterpret_cast<const netloft_element*>(std::uintptr_t{0x1230});
-  p.required = required(), p.extension = extension;  // an older header ends before it
+  p.required = required(), p.extension = extension;  // in an older header, the struct ends before this member
   return p;
 }
 

@@ -24,7 +24,7 @@ struct SlowsEverywhere : RightFlow {
   }
 };
 
-struct SlowsInSteps : RightFlow {  // the velocity is that of the rounded unknown, which has no derivative
+struct SlowsInSteps : RightFlow {  // the velocity follows from the rounded unknown, which has no derivative
   template <class T>
   static Vec3<T> water(const Vec3<T>& current, const T& a, double reach) {
     T rounded = a;

@@ -70,7 +70,8 @@ struct IgnoresFactor {
   }
 };
 
-struct Asymmetric {  // f = k w_z² w: along the bar, symmetric about z, but not the gradient of an energy
+struct Asymmetric {  // f = k w_z² w: a force along the bar, symmetric about z, but not the gradient of an
+                     // energy
   static Status evaluate(const Parameters& p, const Data&, const State<2>& s, Local<2>& out) {
     const Vec3<double> w = s.x[1] - s.x[0];
     const double g = p.EA * w.z * w.z;
@@ -225,7 +226,7 @@ struct StifferUpright {
   }
 };
 
-struct Lopsided {  // the second node is pulled half as much
+struct Lopsided {  // the force on the second node is only half as large
   static Status evaluate(const Parameters& p, const Data& d, const State<2>& s, Local<2>& out) {
     evaluate_spring(p, d, s, out);
     out.force[1] = 0.5 * out.force[1];
@@ -362,7 +363,8 @@ struct NeverMade {
 };
 struct BadDefault : NeverMade {};
 
-/// A spring as stiff in compression as in tension, whose member has no stiffness in compression.
+/// A spring that is as stiff in compression as in tension, but reports a member without stiffness in
+/// compression.
 struct ForgetsCompression : NeverMade {
   static constexpr auto stencil = NETLOFT_BAR;
   using Parameters = wrong::Parameters;

@@ -97,7 +97,7 @@ struct Fails : Law<> {
   }
 };
 
-/// The right answer, changed afterwards by Change::lane(flow, lane).
+/// The correct law, whose result Change::lane(flow, lane) changes.
 template <class Change>
 struct Changed : Law<> {
   static void lanes(const Parameters& p, const netloft_law_tile& f) {

@@ -37,12 +37,13 @@ enum class Flaw {
 };
 
 /// Solves the scene at once, from a coarser mesh if there is one. If that fails, it solves with caps on the
-/// stiffness that rise to the full stiffness; if the result is unstable, again from a perturbed point.
+/// stiffness that rise to the full stiffness; if the result is unstable, it solves again from a perturbed
+/// point.
 template <Flaw F>
 struct Wrong {
   struct Parameters {
     double softest = 0;       // cap on stiffness in the first stage, over the largest stiffness
-    std::int64_t stages = 0;  // number of stages from there to the full stiffness
+    std::int64_t stages = 0;  // number of stages from the first cap to the full stiffness
   };
   static constexpr bool has(Flaw flaw) { return F == flaw; }
 
@@ -57,7 +58,7 @@ struct Wrong {
 
   static std::string explain(const Parameters&, Search& search) {
     if (has(Flaw::solves_to_explain)) solve(search, "to see", {}, search.start());
-    return "at once, else from soft to stiff";
+    return "at once; if that fails, with growing stiffness";
   }
 
   static void prepare(const Parameters& p, Search& search) {
@@ -80,8 +81,8 @@ struct Wrong {
     if (!is_over(search, stage)) go_on_from(search, stage);
   }
 
-  /// Starts from a coarser mesh if there is one. Returns the stage of the scene, or an empty one if the
-  /// search ended before.
+  /// Starts from a coarser mesh if there is one. Returns the stage of the scene, or an empty stage if the
+  /// search ended before it.
   static Stage at_once(Search& search) {
     Displacements u = has(Flaw::ignores_start) ? Displacements(search.size(), 0.0) : search.start();
     if (search.levels() > 1) {

@@ -7,7 +7,7 @@
 
 namespace netloft::test {
 
-/// Solves with a solver and its parameters, and the defaults for all else.
+/// Solves with a solver and its parameters, and defaults for everything else.
 inline Solved solve_with(const std::string& solver, const Scene& scene, Values parameters = {},
                          Limits limits = {}) {
   plugins();  // registers elements for tests, such as "test/load"
@@ -32,8 +32,8 @@ inline Scene two_bar_truss() {
 inline constexpr double kJointOfTruss[] = {0, 0, -4};
 
 /// A bar of 1 m with EA = 100 N hangs from the origin; its end is pulled down with 50 N and pushed sideways
-/// by a force that turns with the bar, which has no energy and an unsymmetric tangent. Without the push, the
-/// bar is 1.5 m long in equilibrium.
+/// by a force that turns with the bar. This force has no energy and an unsymmetric tangent. Without the push,
+/// the bar is 1.5 m long in equilibrium.
 inline Scene pushed_bar(double push) {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -56,8 +56,8 @@ inline Scene whirling_bar() {
 }
 
 /// A bar of 1 m with EA = 100 N in tension and compression, nearly upright, with a load of 10 N at its top,
-/// which is `aside` of its foot. In equilibrium it stands upright, 0.9 m long and unstable, or hangs, 1.1 m
-/// long. Its tangent is as unsymmetric as that of pushed_bar.
+/// which is `aside` to the side of its foot. In equilibrium it stands upright, 0.9 m long and unstable, or
+/// hangs, 1.1 m long. Its tangent is as unsymmetric as that of pushed_bar.
 inline Scene toppling_bar(double aside) {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -86,7 +86,7 @@ inline Scene bar_between_supports() {
   return s.scene;
 }
 
-/// A load on a node that nothing holds: there is no equilibrium.
+/// A load on a node that no element holds, so that there is no equilibrium.
 inline Scene loose_load() {
   Sketch s;
   s.scene.water.gravity = 0;

@@ -11,7 +11,7 @@
 
 namespace netloft::test {
 
-/// A solver, with one of its options set.
+/// A solver with the value of one of its options.
 struct Way {
   const char* name;
   const char* solver;

@@ -12,7 +12,8 @@
 namespace netloft::hard_cases {
 namespace {
 
-/// Growth where a scene of the suite comes to rest. It need not be in a stable place.
+/// Growth of disturbances at the point where the motion of a scene of the suite comes to rest, which need not
+/// be stable.
 double growth_of(const std::string& scene, const std::vector<std::string>& overrides, bool turned_over) {
   runs::PreparedScene one({test::source_folder() + "/" + scene, overrides, 1}, test::shipped_plugins());
   const auto turn_over = [&](scenes::LoadedScene& loaded) {
@@ -29,8 +30,8 @@ double growth_of(const std::string& scene, const std::vector<std::string>& overr
 
 constexpr const char* kFloat = "tests/stability/scenes/float-on-rope.toml";
 
-// Straight up from what holds it a float is stable; straight down, with a rope that bears compression, it is
-// in balance and topples: the pendulum and the inverted pendulum.
+// A float straight above its hold is stable; straight below it, on a rope that bears compression, the float
+// is in balance and topples: the pendulum and the inverted pendulum.
 const std::vector<std::string> kRod{"analysis.solver=newton", "analysis.newton.method=classic",
                                     "parts.rope.cells=10", "parts.rope.rope.EA_compression=1e5"};
 
@@ -38,8 +39,8 @@ TEST(Growth, NothingGrowsInAFloatThatStandsUp) { EXPECT_LE(growth_of(kFloat, kRo
 
 TEST(Growth, AFloatThatHangsDownTopples) { EXPECT_GT(growth_of(kFloat, kRod, true), kMarginalGrowth); }
 
-// With an unsymmetric tangent: the same, in a current along the rope, which drags at nothing but the float
-// and leaves both in balance.
+// The same float with an unsymmetric tangent: a current along the rope drags only at the float and leaves
+// both positions in balance.
 TEST(Growth, IsFoundWhereTheTangentIsUnsymmetric) {
   auto rod = kRod;
   rod.push_back("water.current=[0,0,0.2]");

@@ -6,7 +6,8 @@
 namespace netloft::hard_cases {
 namespace {
 
-/// A gear of three nodes in a box of 3 x 4 x 12 m: 13 m across. Its best answer has -100 J.
+/// A gear of three nodes in a box of 3 x 4 x 12 m, whose diagonal is 13 m. Its best equilibrium has an energy
+/// of -100 J.
 Ended ended_at(double energy, double aside = 0) {
   Ended e;
   e.solution.status = SolveStatus::converged, e.stability = Stability::stable;
@@ -100,7 +101,8 @@ TEST(Judge, SuccessThatNobodyCanProveStableIsNeitherRightNorClaimedWrong) {
   EXPECT_EQ(where(e), Where::reference);
 }
 
-// Stable, but another solver knows a better one: no lie, and not right.
+// The result is stable, but another solver knows a better equilibrium: the claim is not wrong, but the result
+// is not right.
 TEST(Judge, AStableShapeOfMoreEnergyThanAnotherSolversIsNotRight) {
   const Where at = where(ended_at(-99, 1));
   EXPECT_EQ(at, Where::higher);

@@ -42,7 +42,7 @@ TEST_F(Matrix, CountsWhatIsRightAndWhatIsClaimedWrong) {
   EXPECT_EQ(all[0].claimed_wrong, 0u);
   EXPECT_EQ(all[0].unconfirmed, 1u);
   EXPECT_EQ(all[0].factorisations, 26u);
-  EXPECT_EQ(all[1].cases, 1u);  // unfit is no case of its
+  EXPECT_EQ(all[1].cases, 1u);  // a case for which the solver is unfit does not count
   EXPECT_EQ(all[1].right, 0u);
   EXPECT_EQ(all[1].claimed_wrong, 1u);
 }

@@ -4,7 +4,7 @@
 
     default_strategy.py NETLOFT FOLDER [--drawn 30] [--stages]
 
-FOLDER has the .don and .mdg; they are no part of the repository. Every free node of a drawing is moved by a normal distribution along each axis, of
+FOLDER has the .don and .mdg, which are not part of the repository. Every free node of a drawing is moved by a normal distribution along each axis, of
 a size that is drawn evenly by its logarithm from 1 mm to 0.3 m; seeds are 1, 2, … . `--stages` runs the strategy tension/stages instead, for comparison. Judging is what the host does after each stage: it looks for balance, stability and
 the distance from the equilibrium.
 """
@@ -23,7 +23,7 @@ SMALLEST, LARGEST = 1e-3, 0.3  # [m]
 
 
 def perturbed(lines, seed):
-    """The lines of a mesh with its nodes moved. Those that are held are put back by their hold."""
+    """The lines of a mesh with its nodes moved. Holds move held nodes back."""
     draw = random.Random(seed)
     size = math.exp(draw.uniform(math.log(SMALLEST), math.log(LARGEST)))
     out, is_node = [], False
@@ -45,7 +45,7 @@ class Runs:
         self.pin()
 
     def pin(self):
-        """Holds are at the places of the drawing, not where a perturbed node happens to be."""
+        """Holds are at the positions of the drawing, not at those of perturbed nodes."""
         held = set()
         sets, name = {}, None
         for line in self.lines:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Gears of FEMNET, imported by the program and looked at or solved in a folder of their own. NETLOFT_PROGRAM names the program."""
+"""Gears of FEMNET that the program imports, and checks or solves in a separate folder. NETLOFT_PROGRAM names the program."""
 import os
 import subprocess
 import tempfile
@@ -12,7 +12,7 @@ PROGRAM = os.environ["NETLOFT_PROGRAM"]
 
 
 def mesh_of(gear, *how):
-    """The mesh that a gear is imported on: its number of nodes, and its regions as rows of numbers."""
+    """The mesh of an imported gear: its number of nodes, and its regions as rows of numbers."""
     with tempfile.TemporaryDirectory() as folder:
         ended = subprocess.run([PROGRAM, "import", "femnet", str(gear), "-o", "gear.toml", *how], cwd=folder, capture_output=True, text=True)
         assert ended.returncode == 0, ended.stderr
@@ -34,7 +34,7 @@ def twine_sides(rows):
 
 
 class Gear:
-    """`at`: places of the nodes of the mesh instead of those in the file; `more`: lines added to the scene; `codes`: exit codes of a run;
+    """`at`: positions of the nodes of the mesh instead of those in the file; `more`: lines added to the scene; `codes`: exit codes of a run;
     `how`: words of the import; `sets`: keys that are set for the run."""
 
     def __init__(self, gear, at=None, more="", codes=(0,), how=(), sets=()):
@@ -72,11 +72,11 @@ class Gear:
         self.data = {name: f[f"VTKHDF/CellData/{name}"][:cells] for name in f["VTKHDF/CellData"]}
 
     def furthest(self, there):
-        """Largest distance of a place from the node here that is nearest."""
+        """Largest distance of a position from the nearest node."""
         return max(np.linalg.norm(self.points - x, axis=1).min() for x in np.asarray(there))
 
     def of_cells(self, name, nodes):
-        """A number of all cells with so many nodes, sorted."""
+        """A quantity of all cells with this number of nodes, sorted."""
         return np.sort([self.data[name][c] for c, own in enumerate(self.cells) if len(own) == nodes])
 
     def bar_tensions(self):

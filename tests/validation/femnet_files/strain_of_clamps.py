@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How far FEMNET's moments of bending and clamps, which take the lengths of bars as they are, lie from those of Netloft, which
-take the unstretched ones: the equilibrium of gear 07 by either, with ropes that are softer and softer. Needs numpy; prints the table of README.md.
+"""Compares FEMNET's moments of bending and clamps, which use actual lengths of bars, with Netloft's, which use unstretched lengths: equilibria of gear 07 by both, with softer and softer ropes. Needs numpy; prints the table of README.md.
 
 Gear 07: two ropes of 1.5 m in three bars each, clamped to one another at 120 degrees. FEMNET's answer is the check of the formulas.
 """

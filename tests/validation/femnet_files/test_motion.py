@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A gear that a drum hauls, as FEMNET goes through it: places of the nodes over ten seconds, in which 3.2 m of 8 m of rope come in.
+"""A gear that a drum hauls, compared with FEMNET: positions of the nodes over ten seconds, in which 3.2 m of 8 m of rope are hauled.
 
-FEMNET goes in steps of 0.01 s of the backward Euler method, has added mass along ropes, too, and drag by the velocity of each node. The places
-differ by less than the rope that comes in within half a step of it, 2 mm.
+FEMNET goes in steps of 0.01 s of the backward Euler method, has added mass along ropes, too, and drag by the velocity of each node. The positions differ by less than the length that is hauled in half a step of FEMNET, 2 mm.
 """
 import json
 import unittest
@@ -24,7 +23,7 @@ class Motion(Gear):
         self.states = [grid["Points"][first:first + count] for first in grid["Steps/PointOffsets"][:]]
 
     def at(self, time):
-        """Places at a time of which there is an output."""
+        """Positions at the time of an output."""
         nearest = int(np.abs(self.times - time).argmin())
         assert abs(self.times[nearest] - time) < 1e-6, time
         return self.states[nearest]

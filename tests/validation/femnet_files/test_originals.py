@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Five gears of FEMNET's data folder. They are no part of the repository: NETLOFT_FEMNET names the folder of the .don and .mdg, and
-NETLOFT_REAL_GEARS that of FEMNET's answers in the format femnet-neutral/1 (else the folder real-gears beside the first).
+"""Five gears of FEMNET's data folder. They are not part of the repository: NETLOFT_FEMNET names the folder of the .don and .mdg, and
+NETLOFT_REAL_GEARS that of FEMNET's answers in the format femnet-neutral/1 (by default the folder real-gears beside the first).
 
-Where FEMNET has a gear in balance, every node has to be so here, as far as FEMNET's own answer is: what is left there, of up to 8e-6 N, is
-known from an independent evaluation of its formulas. And the default strategy has to find FEMNET's forces, within 1e-6 N beyond that.
+At FEMNET's equilibrium, every node must be in balance here, as far as FEMNET's answer itself is: its residuals of up to 8e-6 N are known from an independent evaluation of its formulas. And the default strategy has to find FEMNET's forces, within 1e-6 N beyond that.
 """
 import json
 import os
@@ -19,10 +18,11 @@ SKIPPED = 77
 FOLDER = os.environ.get("NETLOFT_FEMNET")
 NEWTONS = 1e-6
 GEARS = ("01_ring_flexion", "02_netting_panel", "05_pelagic_t1", "07_bottom_b1", "09_pelagic_s3")
-# The ring: bending by unstretched lengths; FEMNET's ropes have a tension of 4.8e-5 N by bending alone. s3: what is out of balance at the round-off of
-# its places, 2e-6 N in either program, moves its softest meshes by 7e-7 m, which is 1.2e-5 N. [N]
+# The ring bends by unstretched lengths, so that FEMNET's ropes have a tension of 4.8e-5 N by bending alone.
+# In s3, forces due to round-off of its places, 2e-6 N in either program, moves its softest meshes by 7e-7 m,
+# which is 1.2e-5 N. [N]
 DIFFERENT = {"01_ring_flexion": 5e-5, "09_pelagic_s3": 2e-5}
-# Gears with several equilibria, and how much tensions in another one differ from FEMNET's. [N]
+# Gears with several equilibria, and by how much tensions in another equilibrium differ from FEMNET's. [N]
 SEVERAL = {"09_pelagic_s3": 6}
 NO_STEP = '\n[analysis]\nstrategy = "direct"\nmax_iterations = 0\n'
 
@@ -67,7 +67,7 @@ class Originals(unittest.TestCase):
                     self.compare(name, Gear(Path(FOLDER) / f"{name}.don"), answer(name)["reference"])
 
     def test_a_gear_with_several_equilibria_finds_that_of_femnet_from_nearby(self):
-        """From FEMNET's shape, all free nodes moved by 0.1 mm, with Newton's method alone."""
+        """Starts from FEMNET's shape with all free nodes moved by 0.1 mm, by Newton's method alone."""
         for name in SEVERAL:
             with self.subTest(name):
                 there = answer(name)
@@ -99,6 +99,6 @@ class Originals(unittest.TestCase):
 
 if __name__ == "__main__":
     if not FOLDER:
-        print("NETLOFT_FEMNET does not name the folder of the gears")
+        print("NETLOFT_FEMNET is not the folder of the gears")
         sys.exit(SKIPPED)
     unittest.main()

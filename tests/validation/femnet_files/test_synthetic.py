@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Small gears in FEMNET's format, imported, solved by the default strategy, and held against what FEMNET found.
+"""Small gears in FEMNET's format, imported, solved by the default strategy, and compared with FEMNET's results.
 
-Positions have to agree within 1e-6 m and tensions within 1e-6 N where the two solve the same equations. Where they do not, the
-difference of formulation stands in DIFFERENT with its size, which must not grow.
+Positions have to agree within 1e-6 m and tensions within 1e-6 N where the two solve the same equations. Where formulations differ, DIFFERENT has the size of the difference, which must not grow.
 """
 import json
 import tempfile
@@ -55,8 +54,7 @@ class Synthetic(unittest.TestCase):
                 np.testing.assert_allclose(gear.twine_tensions(), twines, rtol=0, atol=NEWTONS)
 
     def test_a_gear_without_a_mesh_is_divided_and_stands_as_in_femnet(self):
-        """The nodes are FEMNET's, and all triangles but where four nodes are a square, whose diagonals are alike: the answer differs by less
-        than a third of what FEMNET's own does from one step to the next."""
+        """Nodes and triangles are FEMNET's, except that squares may have the other diagonal: the answer differs by less than a third of the change of FEMNET's own answer from one meshing step to the next."""
         gear = (HERE / "10_polygon_panel.don").read_text()
         meshes = json.loads((HERE / "10_polygon_panel.expected.json").read_text())["meshes"]
         corners = [np.array(mesh["corner_positions_m"]) for mesh in meshes]
@@ -73,7 +71,7 @@ class Synthetic(unittest.TestCase):
                 self.assertLess(here.furthest(corners[i]), change / 3)
 
     def test_a_bar_of_five_twines_pulls_with_five_times_the_tension_of_one(self):
-        """FEMNET prints the sum of a bar's twines, here the tension is that of one."""
+        """FEMNET prints the tension of all twines of a bar; here the tension is that of one twine."""
         gear, there = solved("06_netting2ropes")
         rows = [line for line in gear.mesh.splitlines() if line[:1].isdigit() and len(line.split()) == 4]
         twines = [float(line.split()[3]) > 1 for line in rows]
@@ -81,7 +79,7 @@ class Synthetic(unittest.TestCase):
         np.testing.assert_allclose(here, np.sort(there["bar_tensions_N"]), rtol=0, atol=NEWTONS)
 
     def test_the_front_of_a_catch_is_where_femnet_has_it(self):
-        """Of the shape that FEMNET found, all nodes held: the front is what is left to find."""
+        """With all nodes held at FEMNET's shape, only the front is unknown."""
         there = json.loads((HERE / "05_catch_front.expected.json").read_text())
         held = '\n[[hold]]\non = "panel-1"\n[results]\nfront = { of = "catch", take = "max front" }\n'
         gear, _ = solved("05_catch_front", at=there["positions_m"], more=held)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// bench_real_gears FOLDER: solves the gears of the folder and prints a table: what it took, and how far from
-// FEMNET's answer it ended. With --perturbed 30 also how often the default strategy converges from so many
-// perturbed drawings. --help names what can be changed.
+// bench_real_gears FOLDER: solves the gears of the folder and prints a table of the work and the distance
+// from FEMNET's answer. With --perturbed 30, it also prints how often the default strategy converges from 30
+// perturbed drawings. --help lists all options.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -28,7 +28,7 @@ struct Wish {
   int repeats = 1;
 };
 
-/// "newton:damping=0.1" or "tension/stages:turn=0.5,fall=0.2": parameters of a solver or a strategy.
+/// "newton:damping=0.1" or "tension/stages:turn=0.5,fall=0.2": sets parameters of a solver or a strategy.
 void set(test::Solving& how, const std::string& setting) {
   const auto colon = setting.find(':');
   if (colon == std::string::npos) throw std::invalid_argument("--set " + setting + ": write NAME:key=value");
@@ -91,7 +91,7 @@ void print_stages(const SolvedGear& s) {
                 stage.statistics.factorisations, stage.statistics.total_cpu_seconds, name_of(stage.status));
 }
 
-/// Nodes that ended elsewhere than the reference has them, the ten furthest.
+/// Prints the ten nodes that are furthest from their positions in the reference.
 void print_strays(const NeutralCase& gear, const SolvedGear& s) {
   const auto away = [&](std::uint32_t n) { return distance(s.positions[n], gear.reference.positions[n]); };
   std::vector<std::uint32_t> strays;
@@ -120,7 +120,7 @@ void print_ending(const NeutralCase& gear, const SolvedGear& s) {
   print_strays(gear, s);
 }
 
-/// The same answer every time; the one that took the least.
+/// Solves several times with the same result, and returns the solve that took the least time.
 SolvedGear solve_repeatedly(const NeutralCase& gear, const Wish& wish) {
   const auto solve_once = [&] { return solve(gear, wish.modelling, wish.start, wish.how); };
   SolvedGear fastest = solve_once();

@@ -64,7 +64,7 @@ std::vector<Part> netting_of(const NeutralCase& gear) {
   return parts;
 }
 
-/// One part per kind of rope.
+/// Makes one part for each kind of rope.
 std::vector<Part> ropes_of(const NeutralCase& gear) {
   std::vector<Part> parts;
   for (const NeutralBar& b : gear.bars) {
@@ -80,7 +80,7 @@ std::vector<Part> ropes_of(const NeutralCase& gear) {
   return parts;
 }
 
-/// The same elements as what they lose above the surface.
+/// A part with the same elements, which computes the forces that they lose above the surface.
 Part dry(const Part& wet) {
   const bool netting = wet.type == "priour/triangle";
   const std::string diameter = netting ? "twine.diameter" : "rope.diameter";
@@ -131,7 +131,7 @@ std::vector<Part> loads_of(const NeutralCase& gear) {
   return part.nodes.empty() ? std::vector<Part>{} : std::vector{part};
 }
 
-/// Labels nodes by the part that comes first.
+/// Labels each node by the first part that contains it.
 void label_nodes(Scene& scene) {
   scene.labels.resize(scene.node_count());
   for (std::uint32_t n = 0; n < scene.node_count(); ++n) scene.labels[n].id = n;

@@ -7,15 +7,15 @@ namespace netloft::real_gears {
 
 /// How a gear becomes a scene.
 struct Modelling {
-  /// FEMNET's: what stands out of the water has neither drag nor, of ropes, buoyancy. Otherwise water is
-  /// everywhere, as Netloft has it.
+  /// true, as in FEMNET: above the surface there is no drag, and ropes have no buoyancy. false, as in
+  /// Netloft: water is everywhere.
   bool surface = true;
   /// Ropes bend by rope/bending, which has an energy, instead of FEMNET's law, which has none.
   bool shipped_bending = false;
 };
 
-/// The scene from the flat drawing: netting as priour/triangle, ropes as rope/bar, and of the plugin femnet
-/// what these have not. Nodes on a plane of symmetry carry half of what is put on them.
+/// Makes the scene from the flat drawing: netting is priour/triangle, ropes are rope/bar, and the plugin
+/// femnet adds forces that these lack. Nodes on a plane of symmetry bear half of their loads.
 Scene make_scene(const NeutralCase& gear, const Modelling& modelling = {});
 
 /// The same nodes elsewhere.

@@ -79,7 +79,7 @@ double tension(const NeutralBar& b, const std::vector<Vector>& x) {
   return tension(distance(x[b.nodes[1]], x[b.nodes[0]]), b.rest_length, b.EA, b.EA_compression);
 }
 
-/// Tensions along u and v, written anew from the description of the format.
+/// Tensions along u and v, implemented independently from the description of the format.
 std::array<double, 2> tensions(const NeutralCase& gear, const NeutralTriangle& t,
                                const std::vector<Vector>& x) {
   const auto& [a, b, c] = t.twine_uv;
@@ -122,7 +122,7 @@ double largest_tension(const NeutralCase& gear, const std::vector<Vector>& x) {
 
 namespace {
 
-/// First output of that name by the nodes of the element, for all families of a type.
+/// The first output of this name for each element of a type; the key is the nodes of the element.
 std::map<std::vector<std::uint32_t>, double> output_by_nodes(Assembler& assembler, std::span<const double> x,
                                                              const std::string& type,
                                                              const std::string& name) {

@@ -7,31 +7,32 @@
 
 namespace netloft::real_gears {
 
-/// How far from balance nodes are, as FEMNET counts it: fixed components left out, those on a plane of
-/// symmetry for both sides of it.
+/// Forces out of balance at nodes, computed as in FEMNET: fixed components are left out, and those on a plane
+/// of symmetry count for both sides.
 struct OutOfBalance {
-  double mean = 0;               // over all nodes, of the norm [N]
+  double mean = 0;               // mean over all nodes of the norm [N]
   double largest_component = 0;  // [N]
 };
 OutOfBalance out_of_balance(const NeutralCase& gear, const Assembler& assembler,
                             std::span<const double> residual);
 
-/// Positions of the nodes out of a vector over all degrees of freedom, and back.
+/// Positions of nodes from a vector over all degrees of freedom, and the reverse.
 std::vector<Vector> nodal(const NeutralCase& gear, const Assembler& assembler, std::span<const double> x);
 std::vector<double> over_dofs(const Assembler& assembler, const std::vector<Vector>& positions);
 
 double distance(const Vector& a, const Vector& b);
 
-/// The node that lies furthest from where the reference has it.
+/// The node that is furthest from its position in the reference.
 struct Furthest {
   double distance = 0;  // [m]
   std::uint32_t node = 0;
 };
 Furthest furthest(const std::vector<Vector>& positions, const std::vector<Vector>& reference);
 
-/// Which of their branches a gear's elements and nodes are in at positions x.
+/// Numbers of elements and nodes of a gear in each state (slack, on the bed, …) at positions x.
 struct Branches {
-  int slack_bars = 0, pressed_bars = 0;  // in compression: without stiffness (below 1e-3 of EA), with
+  int slack_bars = 0, pressed_bars = 0;  // bars in compression: without stiffness (below 1e-3 of EA), and
+                                         // with
   int slack_twines = 0;                  // directions of triangles
   int dry_nodes = 0, nodes_on_bed = 0;
 };
@@ -40,7 +41,7 @@ Branches branches(const NeutralCase& gear, const std::vector<Vector>& positions)
 /// Largest tension of a twine or rope [N].
 double largest_tension(const NeutralCase& gear, const std::vector<Vector>& positions);
 
-/// Forces of FEMNET's reference and of ours where it stands, worst differences [N].
+/// Largest differences between FEMNET's forces and ours at the positions of its reference [N].
 struct ForceDifference {
   double bars = 0, twines = 0, reactions = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The elements of these tests keep the same promises as the shipped ones; above all, their tangents are the
+// The elements of these tests pass the same checks as the shipped ones; above all, their tangents are the
 // derivatives of their forces.
 #include "framework/conformance/conformance.hpp"
 #include "framework/conformance/specimen.hpp"
@@ -20,8 +20,8 @@ TEST_P(FemnetElement, KeepsItsPromises) {
   EXPECT_TRUE(report.passed()) << failures(report);
 }
 
-/// A triangle of netting that lies still above the surface, in a flow of 1 m/s: force on its first corner,
-/// along it.
+/// The force on the first corner of a triangle of netting at rest above the surface, in a flow of 1 m/s,
+/// along the flow.
 double dry_drag_along_the_flow() {
   using namespace conformance;
   const ElementType& type = plugins().element("femnet/dry_netting");
@@ -34,8 +34,8 @@ double dry_drag_along_the_flow() {
   return specimen.evaluate(type.terms[0], s, NETLOFT_WANT_FORCE).force[0];
 }
 
-// The plugin shares the parameters of priour/triangle and declares the diameter alone: that a bar has one
-// twine is the default of the struct.
+// The plugin shares the parameters of priour/triangle and declares only the diameter; by default of the
+// struct, a bar has one twine.
 TEST(FemnetElements, DryNettingLosesItsDrag) { EXPECT_GT(dry_drag_along_the_flow(), 0); }
 
 INSTANTIATE_TEST_SUITE_P(Each, FemnetElement, testing::Values("dry_netting", "dry_bar", "node", "bend"),

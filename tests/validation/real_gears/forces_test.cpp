@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// No solver: the positions of FEMNET's answer are put into the assembler, and the forces there are compared
-// with what FEMNET and an independent evaluation of its formulas say of them.
+// Without a solver: forces at the positions of FEMNET's answer are computed and compared with those of FEMNET
+// and of an independent evaluation of its formulas.
 #include <cstdio>
 
 #include "tests/validation/real_gears/gears.hpp"
@@ -40,7 +40,7 @@ class RealGearAtFemnetsAnswer : public RealGear {};
 
 TEST_P(RealGearAtFemnetsAnswer, IsInBalanceWhereFemnetHasIt) { expect_balance(gear_, {}); }
 
-// All that is free to move hangs below the surface, so that it makes no difference there.
+// All nodes that are free to move are below the surface, so that the surface makes no difference.
 TEST_P(RealGearAtFemnetsAnswer, IsInBalanceThereWithoutTheSurface) {
   expect_balance(gear_, {.surface = false});
 }

@@ -8,7 +8,7 @@
 
 namespace netloft::real_gears {
 
-/// A test that is run on each of the five gears, and skipped where their files are not at hand.
+/// A test that is run on each of the five gears, and skipped if their files are missing.
 class RealGear : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Refuses features that no gear here has, rather than ignoring them.
+/// Refuses features that none of these gears has, instead of ignoring them.
 void refuse_unless(bool known, const char* what) {
   if (!known) throw std::runtime_error(std::string(what) + ": not known here");
 }

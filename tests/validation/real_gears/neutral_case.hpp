@@ -10,11 +10,12 @@ namespace netloft::real_gears {
 
 using Vector = std::array<double, 3>;
 
-/// A node of a gear as FEMNET has it; z up, surface at z = 0, SI units throughout.
+/// A node of a gear in FEMNET; z is up, the surface is at z = 0, all units are SI.
 struct NeutralNode {
   Vector initial{}, force{}, box{}, limit{}, sense{};
   double mass = 0;
-  std::uint8_t fixed = 0, symmetry = 0;  // axes: held at `initial`; normal to a plane of symmetry it lies on
+  std::uint8_t fixed = 0, symmetry = 0;  // axes along which the node is held at `initial`, and those normal
+                                         // to a plane of symmetry on which it lies
 };
 
 struct NeutralBar {
@@ -39,7 +40,7 @@ struct NeutralTriangle {
   std::size_t material = 0;
 };
 
-/// FEMNET's answer, and how far from balance an independent evaluation of its formulas finds it.
+/// FEMNET's answer, and its forces out of balance by an independent evaluation of its formulas.
 struct NeutralReference {
   std::vector<Vector> positions;
   std::vector<double> bar_tensions;                   // [N]
@@ -52,11 +53,11 @@ struct NeutralReference {
   std::vector<Reaction> reactions;  // at fixed nodes [N]
 };
 
-/// FEMNET from the flat drawing, with its own settings.
+/// A run of FEMNET from the flat drawing, with the settings of the file.
 struct NeutralRun {
   int iterations = 0;
   double cpu_seconds = 0, mean_residual = 0,
-         distance = 0;  // true residual [N]; largest, to the reference [m]
+         distance = 0;  // true residual [N]; largest distance from the reference [m]
 };
 
 /// A static equilibrium problem in the format femnet-neutral/1, with its answer.
@@ -65,7 +66,8 @@ struct NeutralCase {
   double gravity = 0, water_density = 0;
   Vector current{};
   bool drags_netting = false;
-  double bed_stiffness = 0, bed_friction = 0;  // of limits on coordinates; friction zero where the bed rests
+  double bed_stiffness = 0, bed_friction = 0;  // for limits on coordinates; friction is zero if the bed is at
+                                               // rest
   std::vector<NeutralNode> nodes;
   std::vector<NeutralBar> bars;
   std::vector<NeutralBend> bends;
@@ -75,7 +77,7 @@ struct NeutralCase {
   NeutralRun femnet;
 };
 
-/// Throws std::runtime_error that names the file and what in it is wrong or not known here.
+/// Throws std::runtime_error that names the file and its wrong or unknown entry.
 NeutralCase read_neutral_case(const std::filesystem::path& file);
 
 /// The cases of a folder, by name. Throws if there is none.

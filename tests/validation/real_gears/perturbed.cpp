@@ -8,7 +8,7 @@ namespace netloft::real_gears {
 
 namespace {
 
-/// The least value that a fraction of all does not exceed; `sorted` is not empty.
+/// The least value that this fraction of all values does not exceed; `sorted` is not empty.
 int quantile(const std::vector<Effort>& sorted, double fraction) {
   const auto rank = static_cast<std::size_t>(std::ceil(fraction * static_cast<double>(sorted.size())));
   return sorted[std::max<std::size_t>(rank, 1) - 1].factorisations;

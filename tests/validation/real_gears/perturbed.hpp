@@ -4,26 +4,28 @@
 
 namespace netloft::real_gears {
 
-/// Drawings of one gear, each moved a little: what a user has who does not draw to the millimetre.
+/// Slightly perturbed drawings of one gear, as if users had drawn it inexactly.
 struct PerturbedDrawings {
   int count = 30;
   double least = 1e-3, largest = 0.3;  // standard deviation of a free coordinate [m]
   std::uint64_t seed = 1;
 };
 
-/// The plain drawing, then the perturbed ones, whose amplitudes grow by equal ratios.
+/// The unperturbed drawing, then the perturbed ones, whose amplitudes grow by equal ratios.
 std::vector<Start> starts_of(const PerturbedDrawings& drawings);
 
-/// One solve: what counts of it.
+/// The work and the result of one solve.
 struct Effort {
   bool converged = false;
   int factorisations = 0;
 };
 
-/// How sure and how dear a way of solving is. Median and 95 % are of all runs, whether they converged or not.
+/// How often a way of solving converges, and at what cost. Median and 95 % include runs that did not
+/// converge.
 struct Reliability {
   std::size_t runs = 0, converged = 0;
-  int median = 0, most_of_them = 0;  // factorisations; of the latter in 95 % no more
+  int median = 0, most_of_them = 0;  // median of factorisations, and the number that 95 % of runs do not
+                                     // exceed
 };
 Reliability summarise(std::vector<Effort> efforts);
 

@@ -18,7 +18,7 @@ TEST(PerturbedDrawings, BeginWithThePlainOneAndGrowByEqualRatios) {
 
 TEST(PerturbedDrawings, MedianAndNinetyFivePercentAreOfAllRuns) {
   std::vector<Effort> efforts;
-  for (int f = 20; f >= 1; --f) efforts.push_back({f != 20, f});  // the dearest one did not converge
+  for (int f = 20; f >= 1; --f) efforts.push_back({f != 20, f});  // the most expensive run did not converge
   const Reliability r = summarise(efforts);
   EXPECT_EQ(r.runs, 20u);
   EXPECT_EQ(r.converged, 19u);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The gears solved: from FEMNET's answer perturbed a little, and from the flat drawing that FEMNET starts
-// from.
+// Solves the gears from FEMNET's answer, slightly perturbed, and from the flat drawing from which FEMNET
+// starts.
 #include <cmath>
 #include <cstdio>
 
@@ -27,7 +27,8 @@ test::Solving closely() {
   return how;
 }
 
-/// Everything within a millimetre of the reference, in balance to a billionth of the largest tension.
+/// Expects that all nodes are within a millimetre of the reference, in balance to a billionth of the largest
+/// tension.
 void expect_arrival(const NeutralCase& gear, const SolvedGear& s) {
   print(gear, s);
   EXPECT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
@@ -39,19 +40,21 @@ TEST_P(RealGear, ReturnsToFemnetsAnswerWhenPerturbed) {
     expect_arrival(gear_, solve(gear_, {}, {.at_reference = true, .noise = 1e-3, .seed = seed}, closely()));
 }
 
-/// Ropes that bend do so by rope/bending: FEMNET's moments have no energy that would lead to them from afar.
+/// Ropes bend by rope/bending, because FEMNET's moments have no energy that would lead to equilibrium from a
+/// distant start.
 Modelling from_afar(const NeutralCase& gear) { return {.shipped_bending = !gear.bends.empty()}; }
 
-/// A full first step from the square in which the ring is drawn folds the rope for good, at a higher energy.
+/// A full first step from the square in which the ring is drawn would fold the rope into an equilibrium of
+/// higher energy.
 test::Solving closely_from_afar(const NeutralCase& gear) {
   test::Solving how = closely();
   if (!gear.bends.empty()) how.solver_parameters["damping"] = 1.0;
   return how;
 }
 
-/// A gear may stand in more than one way: a cod-end of netting that floats in the water, folded or not.
-/// Another answer has to be a gear at rest, too: perturbed, it returns; it is held by nearly the same forces;
-/// and where every force has an energy, it lies no higher.
+/// A gear may have several equilibria: a cod-end that floats in the water may be folded or not. Another
+/// answer must be an equilibrium, too: it must return after a perturbation, be held by nearly the same
+/// forces, and, if every force has an energy, have no more energy.
 void expect_another_answer(const NeutralCase& gear, const SolvedGear& s) {
   NeutralCase found = gear;
   found.reference.positions = s.positions;
@@ -66,9 +69,9 @@ void expect_another_answer(const NeutralCase& gear, const SolvedGear& s) {
               2e-3 * distance(reaction.force, Vector{}));
 }
 
-/// A stationary point that was called unstable: perturbed by a tenth of a millimetre, the gear moves away
-/// while what is said to grow tenfold does so four times, and from FEMNET's answer, which is stable, it does
-/// not.
+/// A stationary point that was judged unstable: after a perturbation of a tenth of a millimetre, the gear
+/// must move away within four times the reported time of tenfold growth, whereas from FEMNET's answer, which
+/// is stable, it must not.
 void expect_to_be_left(const NeutralCase& gear, const SolvedGear& s) {
   ASSERT_EQ(s.solved.solution.status, SolveStatus::unstable) << s.solved.solution.reason;
   const double tenfold = std::log(10) / s.solved.solution.growing.rate;
@@ -82,7 +85,7 @@ void expect_to_be_left(const NeutralCase& gear, const SolvedGear& s) {
   EXPECT_LT(distance_moved_from(gear.reference.positions), 1e-3);
 }
 
-/// `newton` alone may end where the gear does not stay, and says so.
+/// `newton` alone may end at an unstable point, and then reports it.
 TEST_P(RealGear, IsInEquilibriumByNewtonFromTheFlatDrawingOrCalledUnstable) {
   const SolvedGear s = solve(gear_, from_afar(gear_), {}, closely_from_afar(gear_));
   print(gear_, s);
@@ -103,10 +106,11 @@ TEST_P(RealGear, IsInEquilibriumByTheDefaultStrategy) {
   if (s.furthest.distance > 1e-3) expect_another_answer(gear_, s);
 }
 
-// The closed cod-end of b1 needs more, because the order of knots in which most attempts end is not stable.
+// The closed cod-end of b1 needs more factorisations, because most attempts end with an unstable arrangement
+// of knots.
 int most_factorisations(const std::string& gear) { return gear == "07_bottom_b1" ? 80 : 50; }
 
-/// The same in few steps. The ring is left out: it is bent, and nothing in it pulls.
+/// The same gears in few steps. The ring is left out because it is only bent, without tension.
 TEST_P(RealGear, IsInEquilibriumFromSoftToStiffWithFewFactorisations) {
   if (gear_.triangles.empty()) GTEST_SKIP() << "no netting";
   test::Solving how = closely();

@@ -18,7 +18,7 @@ Registry& plugins() {
 
 namespace {
 
-/// Normal deviates by Box and Muller: the same with every library.
+/// Normal deviates by the method of Box and Muller, which are the same with every standard library.
 class Noise {
  public:
   explicit Noise(std::uint64_t seed) : random_(seed) {}
@@ -82,7 +82,7 @@ std::vector<Vector> follow_motion(const NeutralCase& gear, const Modelling& mode
   const Scene scene = scene_of(gear, modelling, start);
   const ScenePlan plan = make_scene_plan(scene, plugins(), TangentChoice::exact, AnalysisKind::dynamics);
   Assembler assembler(scene, plan, 1);
-  std::vector<std::string> faults;  // none: all parameters are left as they are
+  std::vector<std::string> faults;  // must remain empty: all parameters keep their values
   const ParameterBlock scheme(integrator.parameters, integrator.integrator.parameter_bytes, {}, faults);
   const ParameterBlock steps(newton.parameters, newton.solver.parameter_bytes, {}, faults);
   std::vector<double> x;

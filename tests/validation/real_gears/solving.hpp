@@ -6,10 +6,10 @@
 
 namespace netloft::real_gears {
 
-/// The shipped plugins, and femnet of the tests.
+/// The shipped plugins and the plugin femnet of these tests.
 Registry& plugins();
 
-/// A gear solved, and held against the reference.
+/// A solved gear and its comparison with the reference.
 struct SolvedGear {
   test::Solved solved;
   std::vector<Vector> positions;
@@ -19,7 +19,7 @@ struct SolvedGear {
   double largest_tension = 0;  // [N]
   double cpu_seconds = 0;      // plan, assembler and solve
   double energy_above_reference =
-      0;  // of all that has an energy: not of the water, nor of FEMNET's bending [J]
+      0;  // energy of all forces that have one: not of the water, nor of FEMNET's bending [J]
 
   double residual_over_tension() const { return solved.solution.balance.residual / largest_tension; }
 };
@@ -38,7 +38,7 @@ SolvedGear solve(const NeutralCase& gear, const Modelling& modelling, const Star
 std::vector<Vector> follow_motion(const NeutralCase& gear, const Modelling& modelling, const Start& start,
                                   double duration);
 
-/// Solves by the given strategy, or the program's default, from the start of the gear.
+/// Solves by the given strategy, or by the default strategy, from the start of the gear.
 SolvedGear solve_by_strategy(const NeutralCase& gear, const Modelling& modelling, const Start& start,
                              const test::Solving& how);
 

@@ -36,7 +36,8 @@ struct MyStrategy {
 };
 
 NETLOFT_PLUGIN("my_strategy", "0.1", "A strategy to begin with") {
-  auto& s = plugin.strategy<MyStrategy>("my_strategy", "At once; where that fails, from soft to stiff");
+  auto& s = plugin.strategy<MyStrategy>("my_strategy",
+                                        "Solves the scene at once; if that fails, with growing stiffness");
   s.real("softest", &MyStrategy::Parameters::softest, "1",
          "first cap on stiffness, as a fraction of the largest stiffness",
          {.lo = 1e-9, .hi = 1, .fallback = 1e-3});

@@ -149,7 +149,7 @@ TEST(Assembler, HasAConvexPartBetweenNothingAndTheMetricOfNetting) {
   expect_ordered(a, a.moved(8));
 }
 
-/// Springs of which only the energy is implemented.
+/// Springs that implement only their energy.
 Scene springs() {
   Sketch s;
   const auto fixed = s.node(0, 0, 0, kAllAxes), b = s.node(0.4, 0.1, 0), c = s.node(0.7, 0, 0.2),
@@ -209,7 +209,7 @@ TEST(Assembler, GivesOneTermAloneAndSumsOfItByPart) {
     }
   EXPECT_LT(largest_difference(sum, a.residual(x)), 1e-12 * largest(sum));
 
-  // Weight of the ropes, 30 and 20 m long.
+  // Weight of the ropes, which are 30 m and 20 m long.
   std::vector<double> weight(3 * a.assembler.families()[1]->parts().size());
   ASSERT_TRUE(a.assembler.reports().sum_term(x, 1, 1, weight));
   const double per_metre = std::acos(-1.0) / 4 * 1e-4 * (7850 - 1025) * 9.81;
@@ -249,7 +249,7 @@ TEST(Assembler, TellsABrokenElementFromAStateWithoutForce) {
   EXPECT_EQ(scene.assembler.fault().status, NETLOFT_ERROR);
 }
 
-/// All results of an evaluation with a number of threads.
+/// All results of one evaluation, to be compared between numbers of threads.
 struct Everything {
   Everything(const Scene& scene, int threads) {
     Assembled a(scene, threads);
@@ -286,7 +286,8 @@ TEST(Assembler, GivesTheSameBitsForOneTwoAndThreeThreads) {
   EXPECT_EQ(one.energy, one.energy_alone);
 }
 
-/// Two scenes of other stiffness have the same layout; with one more held node it is another one.
+/// Two scenes that differ only in stiffness have the same layout; a scene with one more held node has another
+/// layout.
 TEST(Assembler, TakesOverTheLayoutOfTheSameConnections) {
   const Sketch sketch = net_with_ropes();
   Scene stiffer = sketch.scene, shorter = sketch.scene;

@@ -69,7 +69,7 @@ TEST(Bodies, HandTheWholeWeightOnToWhatHoldsThem) {
   EXPECT_NEAR(solved.reaction(kAnchor)[2], weight, 1e-6);
 }
 
-/// Rotation about the line of its two points has no stiffness except the metric.
+/// The body may rotate about the line through its two points: only the metric resists this.
 TEST(Bodies, AreFoundHangingThoughTheyTurnFreelyAboutTheLineOfTheirPoints) {
   const auto solved = solve(link_on_a_rope());
   ASSERT_EQ(solved.solution.status, SolveStatus::converged) << solved.solution.reason;

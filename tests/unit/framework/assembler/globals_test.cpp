@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Unknowns that all elements of a part share, and that are found together with the positions.
+// Unknowns that all elements of a part share, and that are solved for together with the positions.
 #include <gtest/gtest.h>
 
 #include "tests/unit/framework/assembler/sketch.hpp"

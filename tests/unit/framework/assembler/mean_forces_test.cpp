@@ -13,7 +13,7 @@ namespace {
 
 void of_steps(ScenePlan& plan) { use_mean_forces(plan, "test"); }
 
-/// Springs of which only the energy is implemented, and ropes that are slack or taut.
+/// Springs that implement only their energy, and ropes that are slack or taut.
 Scene springs() {
   test::Sketch s;
   std::vector<std::uint32_t> chain;

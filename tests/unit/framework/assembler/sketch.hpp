@@ -7,14 +7,15 @@
 
 namespace netloft::test {
 
-/// The shipped plugins and the plugin "test", with elements that behave like no shipped one:
+/// The shipped plugins and the plugin "test", with elements whose behaviour no shipped element has:
 ///   test/follower   bar; pushes sideways and turns with the bar: no energy, unsymmetric tangent
-///   test/spring     bar; quartic spring of which only the energy is implemented
+///   test/spring     bar; quartic spring that implements only its energy
 ///   test/picky      bar; its force is not defined beyond a limit of its length
 ///   test/leash      node; pulls back along x to the position that it remembers
 ///   test/alike      bar; its rest length, shared by its part, is an unknown if `free` is set
 ///   test/load       node; a constant force
-///   test/vane       body; a mass and a plate in the water, with energy and force implemented alone
+///   test/vane body; a mass and a plate in the water, whose energy and force are implemented without
+///   derivatives
 Registry& plugins();
 
 /// A scene to which tests add nodes and parts one by one.

@@ -18,7 +18,7 @@
 namespace netloft::test {
 namespace {
 
-/// A matrix with these numbers below, on and above its diagonal.
+/// A tridiagonal matrix with constant entries below, on and above its diagonal.
 struct ThreeDiagonals {
   ThreeDiagonals(std::int32_t size, double below, double on, double above) {
     pattern.size = size, pattern.symmetric = false, pattern.column_start = {0};
@@ -192,8 +192,8 @@ TEST(GrowthOfMatrices, IsNoneOfAPlateWithoutMassOnItsWarp) {
     }
 }
 
-// The eigenvalues are s = 1 ± 10i, and s = 0.01, which is almost on the unit circle for the σ that is best
-// for the pair.
+// The eigenvalues are s = 1 ± 10i, and s = 0.01, which is mapped almost onto the unit circle by the σ that is
+// best for the pair.
 TEST(GrowthOfMatrices, TellsOfWhatDivergesBehindWhatSwingsFaster) {
   ThreeDiagonals K(3, 0, 0, 0);
   const ThreeDiagonals C(3, 0, 1, 0);
@@ -232,7 +232,7 @@ TEST(GrowthOfMatrices, IsMarginalWhereAPairHardlyGrows) {
   EXPECT_EQ(growth_without_mass(decays, C).verdict, GrowthVerdict::none);
 }
 
-// The eigenvalue λ = -1e-3 of a stiffness whose error is 1e-2, or zero.
+// The stiffness has the eigenvalue λ = -1e-3 or zero, and an error of 1e-2.
 TEST(GrowthOfMatrices, IsMarginalWhereTheStiffnessIsNotKnownThatWell) {
   ThreeDiagonals K(2, 0, 1, 0);
   K.values.front() = -1e-3;
@@ -274,8 +274,8 @@ TEST(GrowthOfMatrices, TellsWhatGrows) {
   EXPECT_NEAR(growth.mode[0] / growth.mode[1], -std::sqrt(3.1 / 3), 1e-6);
 }
 
-// The eigenvalues are λ = ∓1e9, 1 and 1, as with a strongly compressed (or taut) member. The symmetric part
-// is indefinite in both cases.
+// The eigenvalues are λ = ∓1e9, 1 and 1, as in a gear with a strongly compressed (or taut) member. The
+// symmetric part is indefinite in both cases.
 TEST(GrowthOfMatrices, SeesWhatGrowsMuchFasterThanTheRest) {
   ThreeDiagonals K(3, 2.5, 1, 0);
   K.values.front() = -1e9;
@@ -507,7 +507,7 @@ TEST(Growth, IsToldInSeconds) {
   EXPECT_NEAR(g.frequency, std::abs(f.expected().imag()), 1e-3 * g.frequency);
 }
 
-// A float as in the previous test, in still water: the rotation of the force drives an oscillation, whose
+// The float of the previous test, in still water: the rotation of the force drives an oscillation, whose
 // growth depends on a damping that does not exist.
 TEST(Growth, IsMarginalWhereWhatSwingsIsNotDamped) {
   const FloatOnSpring f{.push = 200};
@@ -566,7 +566,7 @@ double rate_of_motion(const Scene& scene, const std::vector<double>& u, const st
   return std::log(last / first) / (2 * duration / 3);
 }
 
-// The duration is chosen such that a third of it is a whole number of periods.
+// A third of the duration is a whole number of periods.
 TEST(Growth, IsThatOfTheMotionOfAFloatInItsDragCrisis) {
   const Scene scene = float_on_rod(2, {1.7, 0, 0}, "sphere");
   const Solved s = solve_with("newton", scene);
@@ -589,7 +589,8 @@ TEST(Growth, IsThatOfTheMotionOfAFloatThatTopples) {
               0.1 * s.solution.growing.rate);
 }
 
-/// A float of 5 kg above or below its foot, and 20 m away one of `mass` on a rod as long as its own.
+/// A float of 5 kg on a rod, above or below the foot of the rod, and 20 m away a float of mass `mass` on a
+/// rod of the same length.
 Scene two_floats_on_rods(double z, double mass, double other_z) {
   Sketch s;
   s.scene.current.samples = {{0, {0, 0, 0.2}}};
@@ -606,7 +607,7 @@ Scene two_floats_on_rods(double z, double mass, double other_z) {
   return s.scene;
 }
 
-// The rods have a hundredth of a kilogram, and the floats no volume that moves water.
+// The rods have a mass of 0.01 kg, and the floats have no volume, so that they move no water.
 TEST(Growth, IsLocalIfItMovesLittleOfTheMass) {
   const Values classic{{"method", std::string("classic")}};
   const Solution small = solve_with("newton", two_floats_on_rods(-2, 20000, 2), classic).solution;

@@ -63,7 +63,7 @@ TEST(Verdict, CallsWhatTheClassicMethodFindsThereUnstableToo) {
   EXPECT_EQ(s.solution.status, SolveStatus::unstable) << s.solution.reason;
 }
 
-/// A solver that moves the last unknown to this value, and reports that no step helps.
+/// A solver that moves the last unknown to this value, and reports that no step improves it.
 double given_up_at = 0;
 SolverType quitter() {
   SolverType type;
@@ -134,7 +134,7 @@ Scene bar_with_a_follower() {
   return s.scene;
 }
 
-// In still water, which does not damp small oscillations, the follower force would drive the bar.
+// In still water, which does not damp small oscillations, the follower force would make the bar oscillate.
 TEST(Verdict, CallsStableWhereNothingGrowsWithoutAnEnergy) {
   Scene scene = bar_with_a_follower();
   scene.current.samples = {{0, {0, 0, -4}}};

@@ -58,7 +58,7 @@ TEST(HighestFrequency, IsThatOfAChainFromAbove) {
   EXPECT_LE(found, 1.005 * exact);
 }
 
-/// A heavy ball on a rope whose bars are stiff along their axes only: four of twelve modes have a stiffness.
+/// A heavy ball on a rope whose bars are stiff only along their axes: four of twelve modes have a stiffness.
 TEST(HighestFrequency, IsFoundWhereFewModesAreStiff) {
   Chain chain(12, 0, 0.011);
   for (const std::size_t k : {0u, 1u, 2u, 3u}) chain.spring[k] = 8e4;

@@ -11,7 +11,8 @@ namespace {
 using test::Moving;
 using test::Oscillator;
 
-/// An explicit scheme that follows only fractions of the accelerations and velocities; right if both are 1.
+/// An explicit scheme that follows only fractions of the accelerations and velocities; it is correct if both
+/// are 1.
 struct Partly {
   double of_acceleration = 1, of_velocity = 1;
 
@@ -29,7 +30,7 @@ struct Partly {
   static double any_step(const void*, double) { return 0; }
 };
 
-/// What the probe says of a scheme at displacement u and velocity v of the oscillator.
+/// The fault that the probe finds in a scheme, at displacement u and velocity v of the oscillator.
 std::string fault_of(const Partly& part, double u, double v, auto step) {
   const Oscillator o;
   Moving m(o.scene());
@@ -71,7 +72,7 @@ TEST(SchemeProbe, RefusesASchemeThatMovesLessThanHalfOfTheWay) {
 TEST(SchemeProbe, SaysNothingAtRestInBalanceOrWithoutAStep) {
   EXPECT_EQ(fault_of({0, 0}, 0, 0), "");
   EXPECT_EQ(fault_of({0, 0}, 1e-7, 0),
-            "");  // forces of 1e-7 of the load may be left by the search for a start
+            "");  // the search for a start may leave forces of 1e-7 of the load
   EXPECT_EQ(fault_of({0, 0}, 0.1, 3, Partly::refuse), "");
 }
 

@@ -8,7 +8,7 @@
 namespace netloft {
 namespace {
 
-/// A scheme whose error of a step is of third order, and which is stable with any step.
+/// A scheme whose error in a step is of third order, and which is stable with steps of any length.
 IntegratorType third_order() {
   IntegratorType type;
   type.type = "third/order";

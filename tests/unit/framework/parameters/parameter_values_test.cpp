@@ -58,7 +58,7 @@ Values with(Values more) {
   return more;
 }
 
-/// The message on these values, which must have exactly one error.
+/// The message about these values, which must have exactly one error.
 std::string fault(const Values& more) {
   const Filled f(with(more));
   EXPECT_EQ(f.faults.size(), 1u);
@@ -182,7 +182,7 @@ TEST(Parameters, SayWhatIsAllowedAndWhatTheDefaultIs) {
 // struct.
 TEST(Parameters, AreZeroWhereNothingIsRegistered) {
   constexpr std::size_t kBytes = 96;
-  { const std::vector<char> used_before(kBytes, 'x'); }  // what the heap is likely to hand out next
+  { const std::vector<char> used_before(kBytes, 'x'); }  // memory that the heap is likely to return next
   std::vector<std::string> faults;
   const ParameterBlock block({}, kBytes, {}, faults);
   const auto* bytes = static_cast<const char*>(block.data());

@@ -39,7 +39,7 @@ TEST(KnownOutputs, AreTheTableOfTheGuide) {
   EXPECT_EQ(test::rows_below("framework/guides/element.md", "| output | unit | |"), rows);
 }
 
-/// The message on a plugin whose only element declares this datum.
+/// The message about a plugin whose only element declares this datum.
 std::string refusal(std::uint32_t stencil, const char* name, std::uint32_t width, const char* unit) {
   netloft_datum d{sizeof d, width, name, unit, "a datum"};
   netloft_term t{};

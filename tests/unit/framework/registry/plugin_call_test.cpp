@@ -115,7 +115,7 @@ TEST(PluginCall, BlamesALawAndNotTheElementThatCallsIt) {
   constexpr CallFrame kLaw{"hydro/law", "evaluate", nullptr, CallFrame::Kind::element};
   const std::string broken = rule_broken_by([&] {
     call_plugin(kLaw, -1, [] { return std::fesetround(FE_DOWNWARD); });
-    return 0;  // as if the element did not look at the status
+    return 0;  // as if the element ignored the status
   });
   EXPECT_NE(broken.find("hydro/law left another"), std::string::npos) << broken;
 }

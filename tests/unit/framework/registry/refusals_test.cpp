@@ -83,7 +83,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"needs_unknown", "needs the parameter \"strength\", which the element does not have"},
         Case{"no_members", "no_members/bar has a term of members but declares none"},
         Case{"drag_at_rest",
-             "is drag that reads the current but no velocity, so it would be wrong in a motion: "
+             "is drag that reads the current but not the velocity of the nodes, so it would be wrong in a "
+             "motion: "
              "declare reads_velocity"},
         Case{"nameless_parameter", "a parameter has no name"},
         Case{"no_unit", "has no unit (\"1\" is the unit of a pure number)"},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Impossible numbers in the tables of a plugin, as memory corruption leaves them.
+// Impossible numbers in the tables of a plugin, as memory corruption may produce them.
 #include "framework/registry/descriptors.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ std::string refusal(const netloft_plugin& p) {
   }
 }
 
-/// The message on a plugin with this one law.
+/// The message about a plugin with only this law.
 std::string refusal(const netloft_law* laws, std::uint32_t count) {
   offered = {sizeof offered, count, laws};
   netloft_plugin p = plugin();
@@ -99,7 +99,7 @@ TEST(Extensions, ThatThrowAreAFault) {
   EXPECT_NE(refusal(p).find("made: its function `extension` throws"), std::string::npos);
 }
 
-/// The message on an element of one term with these traits and inputs.
+/// The message about an element with one term, which has these traits and inputs.
 std::string refusal(std::uint32_t traits, const char* const* inputs) {
   netloft_term t{};
   t.size = sizeof t, t.name = "term", t.doc = "a term", t.traits = traits;

@@ -59,13 +59,12 @@ TEST(NamedComponent, IsRefusedWhereItLeadsBackToACaller) {
       return e.what();
     }
   };
-  const std::string itself =
-      "leads back to coarse-to-fine/coarse-to-fine, which would call itself without end";
+  const std::string itself = "makes coarse-to-fine/coarse-to-fine call itself without end";
   EXPECT_NE(why("coarse-to-fine", {}).find(itself), std::string::npos);
   EXPECT_NE(why("deflation", {{"deflation/deflation", by("coarse-to-fine")}}).find(itself),
             std::string::npos);
   EXPECT_NE(why("deflation:by=coarse-to-fine", {}).find(itself), std::string::npos);
-  // What the user gives prevails over the specification.
+  // A value given by the user replaces that of the specification.
   EXPECT_NE(why("deflation:by=direct", {{"deflation/deflation", by("coarse-to-fine")}}).find(itself),
             std::string::npos);
   EXPECT_EQ(why("deflation:by=coarse-to-fine", {{"deflation/deflation", by("direct")}}), "");

@@ -18,7 +18,7 @@
 namespace netloft::test {
 namespace {
 
-/// A strategy that is a function of the test.
+/// A strategy implemented by a function of the test.
 struct ByHand {
   struct Parameters {};
   static inline std::function<void(Search&)> now;
@@ -144,11 +144,13 @@ TEST(ASearch, RefusesStrategiesThatCallThemselvesWithoutEnd) {
   } catch (const std::runtime_error& e) {
     why = e.what();
   }
-  EXPECT_TRUE(why.starts_with("the strategy deflation/deflation failed: 64 strategies are under way")) << why;
-  EXPECT_TRUE(why.ends_with("does it call itself?")) << why;
+  EXPECT_TRUE(
+      why.starts_with("the strategy deflation/deflation failed: 64 strategies have called one another"))
+      << why;
+  EXPECT_TRUE(why.ends_with("does one of them call itself?")) << why;
 }
 
-/// A strategy whose plan is a function of the test, without the layer of strategy.hpp if it is `bare`.
+/// A strategy whose `explain` is a function of the test. If it is `bare`, it does not use strategy.hpp.
 struct Explained : ByHand {
   static inline std::function<std::string()> plan;
   static std::string explain(const Parameters&, Search&) { return plan(); }
@@ -218,7 +220,7 @@ TEST(ASearch, EndsAStageByItsOwnBudget) {
   });
 }
 
-// A strategy that was cut off is called again; a strategy that found nothing is not.
+// A strategy whose work was used up is called again; a strategy that found nothing is not.
 TEST(ASearch, TellsAStrategyThatFoundNothingFromOneThatWasCutOff) {
   search(compressed_bars(), [](Search& of) {
     const Stage nothing = of.call("coarse-to-fine", "", {.name = "there is no coarser mesh"}, of.start());
@@ -226,7 +228,7 @@ TEST(ASearch, TellsAStrategyThatFoundNothingFromOneThatWasCutOff) {
   });
 }
 
-/// The ending of a strategy, defined by the test, that another one calls.
+/// The ending that a strategy reports after it has called another strategy, defined by the test.
 std::uint32_t ending_of_call(const Scene& scene, std::function<void(Search&)> strategy) {
   Registry& registry = shipped_plugins();
   const ScenePlan plan = make_scene_plan(scene, registry);
@@ -241,7 +243,7 @@ std::uint32_t ending_of_call(const Scene& scene, std::function<void(Search&)> st
   return running.ending();
 }
 
-// A stage that was cut off gets more work, although it may be farther from balance than its start.
+// A stage whose work was used up gets more work, although it may be farther from balance than its start.
 TEST(ASearch, EndsAsItsLastStageDidAndNotAsTheOneThatWasClosest) {
   const auto cut_off = [](Search& of) {
     Displacements near = of.start();

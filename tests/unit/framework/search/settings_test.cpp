@@ -11,7 +11,7 @@
 namespace netloft {
 namespace {
 
-/// Ropes of 100 m, each of two bars of 50 m, and data without a length.
+/// Ropes of 100 m, each of two bars of 50 m, and elements whose data have no length.
 Scene ropes(const std::vector<double>& wanted) {
   Scene scene;
   for (std::size_t k = 0; k < wanted.size(); ++k) {

@@ -13,8 +13,8 @@ double real_of(const Part& part, const std::string& name) {
   return std::get<double>(part.parameters.at(name));
 }
 
-/// A rope with an axial stiffness of 1e6 N and 10 N when slack, and a rope of 100 N with the default slack
-/// stiffness.
+/// A rope with an axial stiffness of 1e6 N when taut and 10 N when slack, and a rope of 100 N with the
+/// default slack stiffness.
 Scene two_ropes() {
   Sketch s;
   const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(1, 0, 0), c = s.node(2, 0, 0, kAllAxes);

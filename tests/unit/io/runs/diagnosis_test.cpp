@@ -30,8 +30,8 @@ bool has_sign(const Solution& s, const char* words) {
 
 constexpr const char* kFloat = "tests/stability/scenes/float-on-rope.toml";
 
-// A float straight below its hold, on a rope that acts as a rod: the equilibrium has the whole buoyancy as
-// compression.
+// A float straight below its hold, on a rope that acts as a rod: in equilibrium, the rope bears the whole
+// buoyancy as compression.
 TEST(Diagnosis, NamesWhatStandsByCompression) {
   const auto turned_over = [](scenes::LoadedScene& loaded) {
     for (std::size_t d = 2; d < loaded.scene.positions.size(); d += 3)
@@ -49,7 +49,7 @@ TEST(Diagnosis, NamesWhatStandsByCompression) {
 TEST(Diagnosis, NamesWhatIsSlack) {
   const Solution s = solution_of(kFloat, {"analysis.solver=newton", "analysis.max_iterations=0"});
   EXPECT_EQ(s.status, SolveStatus::not_converged);
-  EXPECT_TRUE(has_sign(s, "rope is slack: nothing pulls at it"));
+  EXPECT_TRUE(has_sign(s, "rope is slack: no force pulls at it"));
 }
 
 // The rope of 67 bars turns back at its eleventh node.

@@ -37,8 +37,8 @@ double middle(double sketch, std::optional<double> start, const std::vector<std:
   return z_of(end);
 }
 
-// If the user names an unstable equilibrium as start, the search continues from there, and not from the
-// initial positions.
+// If the user starts from an unstable equilibrium, the search continues from there, and not from the initial
+// positions.
 TEST(EquilibriumNearAPoint, LeavesAnUnstableEquilibriumWhereverTheSceneIsSketched) {
   const double rise = std::sqrt(1.05 * 1.05 - 1);
   const std::vector<std::string> by{"analysis.strategy=auto"};
@@ -49,7 +49,7 @@ TEST(EquilibriumNearAPoint, LeavesAnUnstableEquilibriumWhereverTheSceneIsSketche
   EXPECT_NEAR(middle(kStraight + 0.25, kStraight, by), end, 1e-9);
 }
 
-/// The bars are heavy because a motion without a load has no scale for its residual.
+/// The bars have weight, because a motion without a load has no scale for its residual.
 TEST(EquilibriumNearAPoint, BeginsAMotionThereToo) {
   const std::vector<std::string> heavy{"analysis.solver=generalized-alpha", "water.gravity=9.81",
                                        "parts.bar.rope.density=5000", "analysis.tolerance=1e-5"};

@@ -18,7 +18,7 @@ namespace {
 // A weight of 10 kg on a rope of 10 m, released at the unstretched length of the rope.
 const std::string kBounce = test::source_folder() + "/io/program/templates/integrator/my_integrator.toml";
 
-// Gravity [m/s²]: strains are then large against the one at which damping sets in.
+// Gravity [m/s²]: so large that strains are far above that at which damping begins.
 constexpr double kGravity = 100;
 
 /// The changes that make the weight oscillate at f [Hz], and `more`.
@@ -80,7 +80,7 @@ TEST(MaterialDamping, IsTurnedOffByOneKey) {
 std::string said_of(const std::vector<std::string>& more) {
   PreparedScene one({kBounce, bounce(10, more), 1}, test::shipped_plugins());
   EXPECT_EQ(one.prepare(), PreparedScene::State::ready) << one.diagnostics().render(false);
-  EXPECT_EQ(one.diagnostics().warnings(), 1);  // of the gravity, which no place on Earth has
+  EXPECT_EQ(one.diagnostics().warnings(), 1);  // the warning about a gravity that does not occur on Earth
   return one.material_damping();
 }
 

@@ -52,7 +52,7 @@ TEST(FlatPlate, IsADiscOfDragAcrossTheFlow) {
   EXPECT_NEAR(plate.ahead_chord, 0, 1e-12);
 }
 
-/// A plate in a flow along its span is one of the reciprocal aspect ratio.
+/// A plate in a flow along its span is the same as a plate of the reciprocal aspect ratio.
 TEST(FlatPlate, IsTheSamePlateSeenFromItsOtherEdge) {
   for (const double degrees : {5.0, 25.0, 36.0, 50.0, 80.0}) {
     const auto along = at_incidence(degrees, 2.7, 1.8);
@@ -66,7 +66,7 @@ TEST(FlatPlate, IsTheSamePlateSeenFromItsOtherEdge) {
 TEST(FlatPlate, IsHalfOfOneOfTwiceTheSpanOnTheBed) {
   const Vec3<double> w{std::cos(0.5), std::sin(0.5), 0};
   const auto on_bed = plate_force(w, 2.7, 1.8, 1.0), whole = plate_force(w, 2.7, 3.6);
-  EXPECT_NEAR(on_bed.normal, whole.normal, 0.03);  // different only because the bed does not change C_90
+  EXPECT_NEAR(on_bed.normal, whole.normal, 0.03);  // the difference is only that the bed does not change C_90
   EXPECT_NEAR(on_bed.ahead_chord, whole.ahead_chord, 1e-12);
 }
 

@@ -75,8 +75,8 @@ TEST(CatchPressure, CountsThePartOfATriangleBehindTheFront) {
   EXPECT_NEAR(fraction({0, 2, 2}, 1), 0.25, 1e-15);
 }
 
-// Behind the front are (2-1)/(2-1) and (2-1)/(4-1) of two sides. They span a triangle, whose centroid is the
-// mean of its corners.
+// The fractions (2-1)/(2-1) and (2-1)/(4-1) of two sides are behind the front. They span a triangle whose
+// centroid is the mean of its corners.
 TEST(CatchPressure, ActsInTheMiddleOfThePartBehindTheFront) {
   const std::array<double, 3> s{2, 4, 1};
   const State<4> state = somewhere(2);
@@ -257,7 +257,8 @@ TEST(CatchVolume, NeedsNoNettingAtTheFrontOfWhatIsTheSameOnBothSides) {
   EXPECT_NEAR(volume(pyramid, {}), 2.0, 1e-13);
 }
 
-// Over a closed surface the forces are those of -p × volume, and the tangents add up to a symmetric matrix.
+// On a closed surface, the forces are the gradient of -p × volume, and the tangents add up to a symmetric
+// matrix.
 TEST(CatchPressure, HasTheVolumeAsItsEnergyOverAClosedSurface) {
   const Closed c;
   std::array<Dual<18>, 18> flat;

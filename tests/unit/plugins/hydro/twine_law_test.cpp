@@ -159,7 +159,7 @@ TEST(NettingTwine, LanesMatchTheDualNumbersOfTheFormula) {
     }
 }
 
-/// Returns what a law writes for `count` flows of `all`, from `first` on, in a tile of their own.
+/// Returns what a law writes for `count` flows of `all`, from `first` on, in a separate tile.
 template <class L>
 TestFlow alone(const typename L::Parameters& p, const TestFlow& all, std::size_t first, std::uint32_t count) {
   TestFlow t(count);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// lumped/net compared with its energies differentiated by dual numbers, and with as many ropes side by side.
-// The formulas of one bar are tested in tests/unit/plugins/rope.
+// lumped/net compared with its energies differentiated by dual numbers, and with the same number of parallel
+// ropes. The formulas of one bar are tested in tests/unit/plugins/rope.
 #include "plugins/lumped/net.hpp"
 
 #include "plugins/hydro/morison.hpp"

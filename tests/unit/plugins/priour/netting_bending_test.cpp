@@ -76,7 +76,7 @@ TEST(NettingBending, IsThatOfTheTwinesThatCrossTheEdge) {  // 4 u twines, square
   Local<4> found;
   ASSERT_EQ(Bending::Elastic::evaluate(kTwine, kPair, folded(0.6), found), Status::ok);
   const double energy = -4 * (4 * 2e-3) / 0.8 * std::log((1 + std::cos(0.6)) / 2);
-  EXPECT_NEAR(found.energy, energy, 2e-6 * energy);  // the effect of δ on open meshes
+  EXPECT_NEAR(found.energy, energy, 2e-6 * energy);  // the difference is the effect of δ on open meshes
 }
 
 TEST(NettingBending, TurnsWithTheCoupleOverTheRadius) {  // moment of the force on d about the edge
@@ -104,7 +104,7 @@ TEST(NettingBending, IsFiniteWhereNettingIsFoldedUponItself) {
 }
 
 TEST(NettingBending,
-     FadesOutOfMeshesThatClose) {  // smooth from one side of a plane through a line to the other
+     FadesOutOfMeshesThatClose) {  // compared with a curve that is smooth through zero
   for (const double width : {1e-2, 1e-3, 1e-4, 0.0, -1e-4, -1e-2}) {
     State<4> s = folded(0.6);
     s.x[2].x = width * 0.3;

@@ -226,7 +226,8 @@ TEST(RopeLoss, MatchesItsFormulaAndItsDerivativesAsItTightens) {
   for (std::size_t i = 0; i < kLanes; ++i) Bar::pack(p, {kLength}, family.lanes_[0], i);
   for (const By by : {By::position, By::velocity}) {
     MovingTile m;
-    for (std::size_t i = 0; i < kLanes; ++i) {  // slack in some lanes, on the way to full loss in most
+    for (std::size_t i = 0; i < kLanes; ++i) {  // slack in some lanes; in most, the loss is between zero and
+                                                // its full value
       const double l = kLength * (1 + 1e-4 * (-0.1 + 1.3 * double(i) / kLanes));
       double w[3], now = 0;
       for (std::size_t k = 0; k < 3; ++k)
@@ -264,14 +265,14 @@ TEST(RopeLoss, IsThatOfTheDampingWhenTautAndNothingWhenSlack) {
 }
 
 TEST(RopeLoss, IsNothingWhereRopeRunsOffADrumAsItIsStretched) {
-  static const double table[] = {0, 1, 10, 3};  // a length that grows to three times its own in 10 s
+  static const double table[] = {0, 1, 10, 3};  // a rope whose length grows threefold in 10 s
   Family<Bar> family = family_in_water();
   Bar::Parameters p = kRope;
   p.loss_factor = 0.1, p.length_share.rows = 2, p.length_share.values = table;
   Bar::pack(p, {kLength}, family.lanes_[0], 0);
   family.lanes_[0].changes = true;
   Upright m;
-  m.t.time = 5;  // the rope is twice as long, and grows by a tenth of that per second
+  m.t.time = 5;  // the rope is then twice as long, and grows by a tenth of this length per second
   m.x[5 * kLanes] = 1.001 * 2 * kLength;
   m.v[5 * kLanes] = 1.001 * 0.2 * kLength;
   ASSERT_EQ(Bar::Loss::tile(family, m.t), Status::ok);
@@ -279,7 +280,7 @@ TEST(RopeLoss, IsNothingWhereRopeRunsOffADrumAsItIsStretched) {
   m.v[5 * kLanes] = 0;
   ASSERT_EQ(Bar::Loss::tile(family, m.t), Status::ok);
   EXPECT_NEAR(m.force[5 * kLanes], -0.1 * 1.001 * 1e5 * 0.1 / (20 * std::numbers::pi),
-              1e-9);  // held, while it is paid out
+              1e-9);  // the rope is held while it is paid out
 }
 
 Bar::Parameters make_winch() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A plugin built by clang for AVX2 runs in this program, with the results of the plugin built by its
-// compiler.
+// A plugin built by clang for AVX2 runs in this program, with the same results as the plugin built by the
+// program's compiler.
 #include "framework/conformance/bench.hpp"
 #include "framework/registry/library.hpp"
 #include "tests/folders.hpp"

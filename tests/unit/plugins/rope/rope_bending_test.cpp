@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// rope/bending alone, because next to stiff bars an error in its tangent would be invisible. It is compared
-// with its energy differentiated by dual numbers, and with the moment of the trawl-gear paper's eq. (1).
+// rope/bending without bars, because beside stiff bars an error in its tangent would be invisible. It is
+// compared with its energy differentiated by dual numbers, and with the moment of the trawl-gear paper's eq.
+// (1).
 #include "plugins/rope/rope_bending.hpp"
 
 #include "tests/unit/plugins/kernel_oracle.hpp"
@@ -74,7 +75,7 @@ TEST(RopeBending, MatchesItsOracleAnywhere) {
   }
 }
 
-/// Returns dE/dφ for a move of the last node on its circle: force times lever.
+/// Returns dE/dφ for a motion of the last node on its circle: force times lever arm.
 double moment(double phi) {
   const State<3> s = turned(phi);
   Local<3> out;

@@ -118,7 +118,7 @@ OnBed::Whole mixed() {
 
 TEST(SeabedBed, PressesAndRubsByWhatTheBedIsMadeOf) {
   State<1> s = node_over(hill(-40), -40.1);
-  s.x[0].x = -2, s.x[0].y = 2;  // beyond the grid: as at its edge
+  s.x[0].x = -2, s.x[0].y = 2;  // beyond the grid, factors are those at its edge
   const double N = OnBed::normal_force(firm(), {2, 0}, {}, s);
   EXPECT_NEAR(OnBed::normal_force(firm(), {2, 0}, mixed(), s), 0.5 * N, 1e-9);
   MovingNodes<double, 1> m;
@@ -129,7 +129,7 @@ TEST(SeabedBed, PressesAndRubsByWhatTheBedIsMadeOf) {
 TEST(SeabedBed, HasTheForceAndTheStiffnessOfItsEnergyOnAMixedBottom) {
   const auto at = [](double x, double y, double z) {
     Bed b = hill(-40);
-    const double h = b.below(Vec3<double>{x, y, z});  // of the same hill, seen from there
+    const double h = b.below(Vec3<double>{x, y, z});  // the same hill, relative to this point
     b.height = h, b.slope_x += b.xx * x + b.xy * y, b.slope_y += b.xy * x + b.yy * y, b.x = x, b.y = y;
     State<1> s;
     s.bed[0] = b, s.x[0] = {x, y, z}, s.cu = 1;

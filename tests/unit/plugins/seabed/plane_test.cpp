@@ -72,7 +72,8 @@ TEST(SeabedContact, CarriesAWireWhereItsWeightSaysSo) {  // ε/2 + w/k below
   State<1> s;
   s.x[0].z = -50 - (kSoft / 2 + 0.1);
   EXPECT_NEAR(Plane::normal_force(p, {2, 0}, s), 2 * 1e4 * 0.1, 1e-9);
-  EXPECT_NEAR(Plane::normal_force(p, {0, 3}, s), 3 * 1e4 * 0.1, 1e-9);  // without length: one metre per piece
+  // a piece without length counts as one metre
+  EXPECT_NEAR(Plane::normal_force(p, {0, 3}, s), 3 * 1e4 * 0.1, 1e-9);
 }
 
 TEST(SeabedContact, RefusesToCarryLessThanNothing) {

@@ -14,7 +14,7 @@ namespace {
 
 /// Index of the diagonal entry of an unknown.
 std::int32_t diagonal(const TestMatrix& matrix, std::int32_t unknown) {
-  return matrix.pattern.column_start[unknown];  // the first of the lower triangle
+  return matrix.pattern.column_start[unknown];  // the first entry of its column in the lower triangle
 }
 
 Eigen::MatrixXd dense(const TestMatrix& matrix) {

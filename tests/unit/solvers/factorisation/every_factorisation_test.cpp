@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Tests that every factorisation must pass. Tests of a single one are in files of their own.
+// Tests that every factorisation must pass. Tests of a single factorisation are in separate files.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -141,7 +141,7 @@ TEST_P(EveryFactorisation, ReadsValuesWhereThePatternSaysThatTheyStand) {
   TestMatrix net = make_net({.skew = 1});
   const auto x = solve(*make(), net);
   const std::size_t entries = net.pattern.entries();
-  net.pattern.slots = entries + 1;  // in reverse order, after a value that is not used
+  net.pattern.slots = entries + 1;  // values in reverse order, after one that is not used
   std::vector<double> moved(entries + 1, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t e = 0; e < entries; ++e) {
     net.pattern.slot.push_back(static_cast<std::int32_t>(entries - e));

@@ -18,7 +18,7 @@ struct DenseFront {
   DenseFront(int pivots, int others) : n(pivots), u(others) {}
 
   Eigen::Index n, u;
-  Matrix A = made_up(n + u, n + u, 0.1);  // of which the last u × u are zero
+  Matrix A = made_up(n + u, n + u, 0.1);  // the last u × u entries are zero
   std::vector<double> left, upper, update;
   std::vector<std::int32_t> exchanged;
 
@@ -51,7 +51,8 @@ struct DenseFront {
 
 constexpr PivotRule kLargePivots{.least = 1e-8, .positive = false};
 
-// Pivots and others near the widths of tiles and blocks, and more pivots than one block has.
+// Numbers of pivots and of other unknowns near the widths of tiles and blocks, and more pivots than one block
+// has.
 const std::vector<std::pair<int, int>> kSizes{{1, 0},  {1, 1},   {3, 5},  {7, 8},   {8, 9},
                                               {9, 17}, {12, 40}, {17, 3}, {33, 31}, {70, 50}};
 

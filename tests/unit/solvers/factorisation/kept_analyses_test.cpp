@@ -87,7 +87,7 @@ TEST(KeptAnalyses, AreKeptWhereTheFactorWouldBeLargeAndThereIsNone) {
   EXPECT_EQ(kept.analyses, 1);
 }
 
-// MUMPS may have allocated ever more memory before it failed.
+// MUMPS may have allocated much memory before it failed.
 TEST(KeptAnalyses, AreGivenUpAfterAFactorisationThatFailed) {
   for (const auto& [status, analyses] : {std::pair{FactorStatus::out_of_memory, 2},
                                          {FactorStatus::failed, 2},

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 
-// As MUMPS calls them; see cmake/FindMumpsSeq.cmake.
+// Functions that MUMPS calls; see cmake/FindMumpsSeq.cmake.
 extern "C" {
 void* netloft_mumps_malloc(std::size_t bytes);
 void* netloft_mumps_calloc(std::size_t count, std::size_t size);

@@ -120,7 +120,7 @@ TEST_F(Multifrontal, HasTheSameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(handed_over_, 0);
 }
 
-// Several threads report the front that fails first with one thread, in any branch.
+// Several threads report the same front as one thread: the first that fails, in any branch.
 TEST_F(Multifrontal, FindsTheSameColumnOfZerosForAnyNumberOfThreads) {
   const TestMatrix good = make_random_matrix({.rings = 90, .nodes_per_ring = 90}, 1, 30);
   for (const std::int32_t zero : {0, 5000, 12345, good.pattern.size - 1}) {

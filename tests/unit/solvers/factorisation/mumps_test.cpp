@@ -49,7 +49,8 @@ TEST_P(Mumps, FindsRoomForPivotsThatComeLate) {
   for (std::int32_t c = 0; c < net.pattern.size; ++c)
     for (std::int32_t e = net.pattern.column_start[c]; e < net.pattern.column_start[c + 1]; ++e)
       if (net.pattern.row[e] == c) net.value[e] = 0;
-  EXPECT_LT(error_of_solving(*make(), net), 10 * kRoundOff);  // errors grow with pivots of a hundredth
+  EXPECT_LT(error_of_solving(*make(), net), 10 * kRoundOff);  // errors grow because pivots may be a hundredth
+                                                              // of other entries
 }
 
 TEST_P(Mumps, ServesTwoThreadsWithFactorsOfTheirOwn) {

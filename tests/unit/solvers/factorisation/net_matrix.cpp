@@ -154,8 +154,7 @@ TestMatrix make_net_matrix(const NetOptions& options) { return NetBuilder(option
 SparsePattern make_lattice(std::int32_t side, std::int32_t unknowns_per_node, bool symmetric) {
   const std::int32_t area = side * side, nodes = area * side, m = unknowns_per_node;
   const auto has = [&](std::int32_t node, std::int32_t step) {
-    const std::int32_t lines =
-        (step < 0 ? -step : step) * side;  // nodes of a line or layer, which a step stays in
+    const std::int32_t lines = (step < 0 ? -step : step) * side;  // number of nodes in a line or layer
     return step == 0 || (node + step >= 0 && node + step < nodes && (node + step) / lines == node / lines);
   };
   SparsePattern pattern;

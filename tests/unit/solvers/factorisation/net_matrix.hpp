@@ -9,7 +9,7 @@
 
 namespace netloft {
 
-/// A sparse matrix as factorisations take it.
+/// A sparse matrix in the form that factorisations read.
 struct TestMatrix {
   SparsePattern pattern;
   std::vector<double> value;
@@ -40,7 +40,7 @@ TestMatrix make_net_matrix(const NetOptions& options);
 /// few unknowns.
 SparsePattern make_lattice(std::int32_t side, std::int32_t unknowns_per_node, bool symmetric);
 
-/// Makes a matrix from full rows, small enough to write down. Every unknown is a node.
+/// Makes a small matrix from its full rows. Every unknown is a node.
 TestMatrix make_dense_matrix(const std::vector<std::vector<double>>& rows, bool symmetric);
 
 }  // namespace netloft

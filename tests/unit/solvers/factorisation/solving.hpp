@@ -27,7 +27,7 @@ inline std::vector<double> made_up_vector(std::int32_t size) {
   return b;
 }
 
-/// Solves with new values of the pattern that was analysed last.
+/// Solves with new values in the pattern that was analysed last.
 inline std::vector<double> solve_again(Factorisation& factorisation, const TestMatrix& matrix) {
   EXPECT_EQ(factorisation.factorise(matrix.value).status, FactorStatus::ok);
   const std::vector<double> b = made_up_vector(matrix.pattern.size);

@@ -40,8 +40,8 @@ Indices random_order(std::int32_t size, std::mt19937& random) {
   return order;
 }
 
-/// The columns of L by elimination of one vertex after the other: its later neighbours become neighbours of
-/// each other.
+/// The columns of L when vertices are eliminated one by one: the later neighbours of each vertex become
+/// neighbours of each other.
 std::vector<std::set<std::int32_t>> eliminate(const NodeGraph& graph, const Indices& order) {
   Indices place(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<std::int32_t>(k);
@@ -112,7 +112,7 @@ TEST(Supernodes, HoldTheColumnsOfTheElimination) {
     ASSERT_EQ(supernodes.first(supernodes.count()), size);
     for (std::size_t s = 0; s < supernodes.count(); ++s) {
       const auto others = supernodes.others(s);
-      std::set<std::int32_t> expected;  // what its columns have beyond it
+      std::set<std::int32_t> expected;  // rows that the columns of the front have beyond the front
       for (std::int32_t k = supernodes.first(s); k < supernodes.first(s + 1); ++k)
         expected.insert(columns[k].lower_bound(supernodes.first(s + 1)), columns[k].end());
       ASSERT_TRUE(std::ranges::equal(others, expected)) << i;
@@ -122,8 +122,8 @@ TEST(Supernodes, HoldTheColumnsOfTheElimination) {
   EXPECT_GT(merged, 1000u);
 }
 
-// A path is eliminated from both ends: columns of two entries, of which two are always merged, for the price
-// of no zeros.
+// A path is eliminated from both ends: its columns have two entries each, and two columns are always merged,
+// because that adds no zeros.
 TEST(Supernodes, MergeAFrontWithItsParentWhereThatCostsLittle) {
   NodeGraph dense{4, {0, 4, 7, 9, 10}, {0, 1, 2, 3, 1, 2, 3, 2, 3, 3}, {}, {}};
   EXPECT_EQ(Supernodes(dense, Indices{2, 0, 3, 1}).count(), 1u);

@@ -82,7 +82,7 @@ TEST(Auto, LeavesASaddleWhereEnergiesCanNoLongerBeToldApart) {
   EXPECT_NEAR(f.away, std::sqrt(kShort), 1e-2 * std::sqrt(kShort)) << "by Pythagoras";
 }
 
-/// An arch of the two bars of compressed_bars() in a plane, upright under a small load.
+/// The two bars of compressed_bars() as an arch in a plane, under a small load.
 Scene arch() {
   Scene scene = compressed_bars();
   scene.water = {0, 9.81};
@@ -217,7 +217,7 @@ TEST(Auto, LeavesAnUnstableEquilibriumOnceToEachSide) {
   EXPECT_EQ(left, 2) << stages_of(s);
 }
 
-// The second bar topples faster than the first, and then hangs: the growth that is left is slower. The first
+// The second bar topples faster than the first, and then hangs: the remaining growth is slower. The first
 // bears compression only, so that it finds no stable place.
 TEST(Auto, ReportsTheUnstableEquilibriumThatGrowsMostSlowly) {
   plugins();

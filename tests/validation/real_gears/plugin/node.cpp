@@ -5,7 +5,7 @@ namespace netloft::femnet {
 
 namespace {
 constexpr std::size_t at(int row, std::size_t lane) { return static_cast<std::size_t>(row) * kLanes + lane; }
-/// Place of (axis, axis) in a packed lower triangle.
+/// Index of (axis, axis) in a packed lower triangle.
 constexpr int diagonal(int axis) { return axis * (axis + 1) / 2 + axis; }
 }  // namespace
 

@@ -8,14 +8,14 @@
 
 namespace netloft::femnet {
 
-/// FEMNET's forces on a node; s is their number (one half on a plane of symmetry):
+/// FEMNET's forces on a node; s is their multiple (one half on a plane of symmetry):
 ///   E = −s (F·x − m g z)                                              force and weight        (1)
 ///   E = s ρ_w g A Z,  −dZ/dz = clamp(top − z, 0, H)                   buoyant box             (2)
 ///   E = s ½ k Σ p²,  p = limit − coordinate where that is violated    penalty on coordinates  (3)
 ///   r = −s μ k p_z Ĉ                                                  friction of a bed       (4)
 /// F [N], m [kg]; A = |b_x b_y| [m²] and H = |b_z| [m] of the box, whose middle is at the node, or its upper
-/// face if b_z < 0; k [N/m], μ [1]; Ĉ the direction of the current: friction has a direction of its own, and
-/// does not wait for a node to slip. Source: FEMNET (D. Priour), nodes of its .mdg files.
+/// face if b_z < 0; k [N/m], μ [1]; Ĉ the direction of the current: friction has a fixed direction and does
+/// not wait for a node to slip. Source: FEMNET (D. Priour), nodes of its .mdg files.
 struct Node {
   static constexpr auto stencil = NETLOFT_NODE;
 

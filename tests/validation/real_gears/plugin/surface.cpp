@@ -10,13 +10,13 @@ namespace {
 
 using surface::at;
 
-/// Elements of N nodes in a tile: their cubes, and what the shipped drag does to them.
+/// Elements of N nodes in a tile: their cubes, and the shipped drag on them.
 template <int N>
 struct Drag {
   static constexpr int dofs = 3 * N;
   double force[dofs * kLanes] = {}, tangent[dofs * dofs * kLanes] = {};
 
-  /// A tile in which the shipped drag leaves its answer here.
+  /// A tile with which the shipped drag writes its result into this object.
   netloft_tile answer_of(const netloft_tile& t) {
     netloft_tile inner = t;
     inner.energy = nullptr, inner.force = force, inner.tangent = t.tangent ? tangent : nullptr;
@@ -50,7 +50,7 @@ bool is_wet(const Lanes& p, const netloft_tile& t, int node, std::size_t i) {
   return !(z > 0) && !(8 * -z * z * z < p.volume[i] / N);
 }
 
-/// Most tiles are under water, and cost no more than this.
+/// Most tiles are completely under water; for them, nothing else is computed.
 template <int N, class Lanes>
 bool is_wet(const Lanes& p, const netloft_tile& t) {
   for (int node = 0; node < N; ++node)

@@ -13,12 +13,12 @@ namespace netloft::femnet {
 /// as elements beside shipped ones without a surface.
 using surface::Cube;
 
-/// (2) of netting, an element beside priour/triangle.
+/// Equation (2) for netting: an element beside priour/triangle.
 struct DryNettingDrag {
   static Status tile(const Family<priour::Triangle>& family, netloft_tile& t);
 };
 
-/// (2) and (3) of ropes, an element beside rope/bar.
+/// Equations (2) and (3) for ropes: an element beside rope/bar.
 struct DryBarDrag {
   static Status tile(const Family<rope::Bar>& family, netloft_tile& t);
 };

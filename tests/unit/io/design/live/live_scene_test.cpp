@@ -15,7 +15,7 @@ namespace {
 
 using Status = Outcome::Status;
 
-/// A scene of the library, whose variant is followed and never saved.
+/// A scene of the library with changes, which are followed and never saved.
 class Followed {
  public:
   Followed(const std::string& scene, const std::string& nodes)
@@ -41,7 +41,7 @@ class Followed {
   LiveScene live;
 };
 
-/// The figures of the same texts in a run that begins from nothing.
+/// The figures of the same texts, computed by a separate run from the sketch.
 std::vector<results::NamedScalar> figures_of_batch_run(const SceneTexts& texts) {
   runs::CaseSource source(texts.file());
   source.scene = source.scene.with_texts(texts.file(), texts.own());

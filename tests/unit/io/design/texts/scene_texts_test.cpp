@@ -22,7 +22,7 @@ std::string text_of(const fs::path& file) {
   return text.str();
 }
 
-/// A folder of its own for each test, which is the working folder.
+/// A separate folder for each test, which becomes the working folder.
 class SceneTextsTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -120,7 +120,8 @@ TEST_F(Opened, OverridesInTheSceneWhatAFileOfOthersSays) {
   EXPECT_EQ(root_of(texts), "include = [\"../library/gear.toml\"]  # the gear\n\n[rope]\nlength = \"6 m\"\n");
   texts.set(formats::read_change("rope.at[1]=7"));
   EXPECT_NE(root_of(texts).find("[rope]\nat = [1, 7, 3]\nlength"), std::string::npos) << root_of(texts);
-  texts.set(formats::read_change("hold[0].at[0]=1"));  // an array replaces, a [[hold]] would append
+  texts.set(formats::read_change("hold[0].at[0]=1"));  // an assigned array replaces the old one, whereas a
+                                                       // [[hold]] would append to it
   EXPECT_TRUE(root_of(texts).find("hold = [\n  {at = [1, 0, 0]},\n]\n") != std::string::npos)
       << root_of(texts);
   texts.save();
@@ -216,8 +217,8 @@ std::size_t changed_lines(const std::string& a, const std::string& b) {
   return count;
 }
 
-// Random edits of the numbers of whole gears: each changes one line, keeps its comment, and all are taken
-// back.
+// Random edits of the numbers of whole gears: each changes one line and keeps its comment, and all of them
+// can be back.
 TEST_F(Opened, KeepsEverythingElseInTwoHundredRandomEditsOfGears) {
   std::mt19937 dice(5);
   fs::copy(test::source_folder() + "/gear-library", "gears", fs::copy_options::recursive);

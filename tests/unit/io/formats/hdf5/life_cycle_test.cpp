@@ -62,7 +62,8 @@ TEST_F(LifeCycle, TheEarlierResultIsKeptAsBackup) {
 
 TEST_F(LifeCycle, ABackupThatAlreadyIsTheResultDoesNotConfuse) {
   write_result("a.hdf", 1);
-  std::filesystem::create_hard_link(in("a.hdf"), in("a.hdf~"));  // a kill between the two renames leaves this
+  // state of the folder after a kill between the two renames
+  std::filesystem::create_hard_link(in("a.hdf"), in("a.hdf~"));
   write_result("a.hdf", 2);
   EXPECT_EQ(mark_of("a.hdf"), 2);
   EXPECT_EQ(mark_of("a.hdf~"), 1);
@@ -146,7 +147,7 @@ TEST_F(LifeCycle, AFolderWithoutWritePermissionIsAnError) {
   std::filesystem::permissions(in(""),
                                std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec |
                                    std::filesystem::perms::others_read | std::filesystem::perms::others_exec);
-  const bool is_root = geteuid() == 0;  // permissions do not hold root back
+  const bool is_root = geteuid() == 0;  // file permissions do not restrict root
   ASSERT_EQ(is_root ? seteuid(kNobody) : 0, 0);
   const std::string message = error_of([&] { ResultFile file(in("a.hdf")); });
   ASSERT_EQ(is_root ? seteuid(0) : 0, 0);

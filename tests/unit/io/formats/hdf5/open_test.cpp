@@ -23,7 +23,8 @@ void make_dataset(hid_t file, const Handle& space, const Handle& properties) {
                     H5Dclose);
 }
 
-/// Makes files that lead elsewhere. A pipe without a writer stands for the other file: reading it never ends.
+/// Makes HDF5 files that refer to other files. The other file is a pipe without a writer: reading it would
+/// never end.
 class Opening : public test::InScratchFolder {
  protected:
   void SetUp() override { ASSERT_EQ(mkfifo(other().c_str(), 0600), 0); }
@@ -101,7 +102,7 @@ TEST_F(Opening, RefusesGroupsThatHaveNoEnd) {
     for (const char* name : {"b", "c", "d"})
       check(H5Lcreate_hard(file, "/a", group, name, H5P_DEFAULT, H5P_DEFAULT));
   });
-  EXPECT_TRUE(says(again, ": /a/b is a group that is also in another place")) << again;
+  EXPECT_TRUE(says(again, ": /a/b is a group that also appears in another group")) << again;
 }
 
 TEST_F(Opening, RefusesNamesThatATerminalObeys) {
@@ -111,7 +112,7 @@ TEST_F(Opening, RefusesNamesThatATerminalObeys) {
   EXPECT_TRUE(says(error, "the name of /a\\u001b[31m has control characters")) << error;
 }
 
-// HDF5 gives files in memory a name, and looks for a file that has it.
+// HDF5 gives a file in memory a name, and looks for a file of this name on the disk.
 TEST_F(Opening, OfAnImageLooksForNoFile) {
   const std::string image = hdf5_image([](Tree& tree) { tree.write_real("/netloft/x", 1, "m"); });
   const auto before = std::filesystem::current_path();

@@ -66,7 +66,7 @@ TEST_F(SealedResult, NamesTheDatasetWhoseNumbersChanged) {
   EXPECT_TRUE(says(error_with_flipped_bit(doc, 1), "its names, texts or attributes do not match"));
 }
 
-/// If the table itself is damaged, the file is refused or counts as one without a table.
+/// If the table itself is damaged, the file is refused or read like a file without a table.
 TEST_F(SealedResult, IsNeverReadWrongWhereItsTableIsDamaged) {
   std::size_t refused = 0;
   for (std::size_t at = table_; at < bytes_.size(); ++at)
@@ -74,7 +74,7 @@ TEST_F(SealedResult, IsNeverReadWrongWhereItsTableIsDamaged) {
   EXPECT_GE(refused, bytes_.size() - table_ - 8);
 }
 
-/// HDF5 would never return from an object of zero length.
+/// HDF5 would loop for ever at an object of zero length.
 TEST_F(SealedResult, WithoutItsTableIsRefusedWhereItsTextsLeadNowhere) {
   const std::string kBegin("GCOL\1", 5);
   std::string whole = bytes_.substr(0, table_);

@@ -82,8 +82,8 @@ TEST_F(Series, IsReadWhileItGrows) {
   expect_states(Reader(in("a.hdf.part")), {0.0, 0.5, 1.0});
 }
 
-/// The heights never change, the strains change at time 1. A resumed run must write the file of a run without
-/// a kill.
+/// The heights never change, the strains change at time 1. A resumed run must write the same file as a run
+/// without a kill.
 TEST_F(Series, HoldsAFieldOnceAsLongAsItStays) {
   const auto output = [](double time) {
     SeriesState s = state(time);
@@ -143,7 +143,7 @@ TEST_F(Series, WhoseRecordsDoNotFitTogetherIsRefused) {
   };
   SeriesState few_points = state(1), few_numbers = state(1);
   few_points.points.pop_back(), few_numbers.row.pop_back();
-  const std::string words = "the records of the motion do not fit together";
+  const std::string words = "the records of the motion contradict each other";
   EXPECT_PRED2(says, refuses([&](auto& j) { j.write(few_points, "after 1"); }), words);
   EXPECT_PRED2(says, refuses([&](auto& j) { j.write(few_numbers, "after 1"); }), words);
   EXPECT_PRED2(says, refuses([&](auto& j) { j.set_status({"running", std::string("a\0b", 3)}); }), words);

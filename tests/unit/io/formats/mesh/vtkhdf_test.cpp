@@ -193,7 +193,7 @@ const Broken kBroken[] = {
        std::copy_n(Reals{0, 0, 10, 0, -1e9, 5, 10, 0, 10, 1.0 / 3, 0, 5}.begin(), 12, corners.begin());
        t.write_matrix("/VTKHDF/CellData/panel_corners", corners, 6, "1");
      },
-     "a number of the element is not finite, or is above a million"},
+     "a number of the element is not finite or is above a million"},
     {"FewCorners", [](Tree& t) { t.write_matrix("/VTKHDF/CellData/panel_corners", Reals(12), 6, "1"); },
      "/VTKHDF/CellData/panel_corners must have 6 numbers for each of 5 cells"},
     {"CornersInARow", [](Tree& t) { t.write_reals("/VTKHDF/CellData/panel_corners", Reals(30), "1"); },

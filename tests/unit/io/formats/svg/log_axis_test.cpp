@@ -20,7 +20,7 @@ std::vector<double> labels(const LogAxis& a) {
 
 TEST(LogAxis, HoldsAllValuesWithRoomToSpare) {
   const LogAxis a = axis({3e-4, 0.1, 40});
-  EXPECT_DOUBLE_EQ(a.low(), 2e-4);  // an end at 3e-4 would be too near to the value
+  EXPECT_DOUBLE_EQ(a.low(), 2e-4);  // an axis that ends at 3e-4 would end too near to the value
   EXPECT_DOUBLE_EQ(a.high(), 50);
   const LogAxis round = axis({1e-3, 1e2});  // values at powers of ten also keep a distance from the ends
   EXPECT_DOUBLE_EQ(round.low(), 8e-4);

@@ -17,7 +17,7 @@ const Catalogue& library_parts() {
   return parts;
 }
 
-/// Names of the library's parts that are like a name, joined by spaces.
+/// Names of the library's parts that are similar to a name, joined by spaces.
 std::string similar(const std::string& name, const std::string& kind) {
   std::vector<const CataloguePart*> parts;
   for (const auto& part : library_parts().parts())

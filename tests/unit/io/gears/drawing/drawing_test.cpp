@@ -50,7 +50,7 @@ TEST(Layout, MirrorsPairsAboutTheMiddleOfTheirColumn) {
   EXPECT_NEAR(starboard.x - middle, middle - port.x, 1e-12);
 }
 
-/// Upper and lower panel are sewn to the mouth of the same tube: they stand beside each other.
+/// Upper and lower panel are sewn to the mouth of the same tube: they are drawn beside each other.
 TEST(Layout, PutsNoMiddlePanelOnAnother) {
   const auto checked = check_text(library_text("two-panel.toml"));
   const auto panels = lay_out(checked.plan);
@@ -58,7 +58,7 @@ TEST(Layout, PutsNoMiddlePanelOnAnother) {
   EXPECT_NEAR(placed(panels, "upper").x, placed(panels, "bag").x, 1e-12);
 }
 
-/// Side panels that are sewn to the same tube as the top of the net have a column of their own, too.
+/// Side panels that are sewn to the same tube as the top of the net have a separate column, too.
 TEST(Layout, PutsNoPairOnAMiddlePanel) {
   std::ifstream file(test::source_folder() + "/io/program/templates/four-panel/my_gear.toml");
   const auto checked = check_text({std::istreambuf_iterator<char>(file), {}});
@@ -91,7 +91,7 @@ TEST(Drawing, OfTrianglesHasAllTheirSides) {
   EXPECT_NE(svg.find(std::to_string(mesh.nodes) + " nodes"), std::string::npos);
 }
 
-/// A drawing that only remembers its texts.
+/// A drawing that only records its texts.
 class Texts : public formats::LineDrawing {
  public:
   struct Text {

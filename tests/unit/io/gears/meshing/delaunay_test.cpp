@@ -17,14 +17,15 @@ using Ends = std::pair<std::uint32_t, std::uint32_t>;
 
 bool is_far(const Delaunay::Triangle& t) { return std::ranges::count(t.corners, Delaunay::kFar) > 0; }
 
-/// Triangles of whole coordinates have exact areas.
+/// Triangles with whole coordinates have exact areas.
 std::int64_t twice_area(const Delaunay& mesh, const Corners& t) {
   const PlanePoint &a = mesh.points()[t[0]], &b = mesh.points()[t[1]], &c = mesh.points()[t[2]];
   return static_cast<std::int64_t>((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
 }
 
-/// Neighbours agree on their common side, each triangle turns to the left, each point has a triangle, and
-/// there are as many triangles as Euler's formula says: 2 (n + 1) - 4 with the point kFar.
+/// Expects that neighbours agree on their common side, that triangles are counter-clockwise, that each point
+/// has a triangle, and that there are as many triangles as Euler's formula says: 2 (n + 1) - 4 with the point
+/// kFar.
 void expect_whole(const Delaunay& mesh) {
   std::set<std::uint32_t> seen;
   for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
@@ -48,8 +49,9 @@ void expect_whole(const Delaunay& mesh) {
   ASSERT_EQ(mesh.triangles().size(), 2 * (mesh.points().size() + 1) - 4);
 }
 
-/// No circumcircle holds the point beyond a side that is not held; a triangulation with this property is the
-/// constrained Delaunay triangulation (Lee and Lin, Discrete Comput. Geom. 1 (1986) 201).
+/// Expects that no circumcircle contains the vertex opposite a side that is not fixed; a triangulation with
+/// this property is the constrained Delaunay triangulation (Lee and Lin, Discrete Comput. Geom. 1 (1986)
+/// 201).
 void expect_delaunay(const Delaunay& mesh) {
   const auto& points = mesh.points();
   for (std::uint32_t number = 0; number < mesh.triangles().size(); ++number)
@@ -118,7 +120,7 @@ TEST(Delaunay, DependsOnThePointsAndNotOnTheirOrder) {
   RandomPolygons draws;
   for (int i = 0; i < 1000; ++i) {
     std::vector<PlanePoint> points =
-        draws.points(60, 8);  // of 17 by 17 places: many lie on one circle or line
+        draws.points(60, 8);  // on a grid of 17 by 17, so that many are on one circle or line
     const auto first = triangles_of(Delaunay(points));
     draws.shuffle(points);
     ASSERT_EQ(triangles_of(Delaunay(points)), first) << i;
@@ -178,10 +180,11 @@ TEST(Delaunay, SeesPointsUntilAHeldSide) {
   ASSERT_NE(at_origin, triangles.end());
   const auto t = static_cast<std::uint32_t>(at_origin - triangles.begin());
   const int k = static_cast<int>(std::ranges::find(at_origin->corners, 0u) - at_origin->corners.begin());
-  EXPECT_EQ(mesh.seen_from(t, k, {6, 4}), Delaunay::kFar);    // behind the held side, and on the hull
+  EXPECT_EQ(mesh.seen_from(t, k, {6, 4}), Delaunay::kFar);    // a point behind the fixed side, and one on the
+                                                              // hull
   EXPECT_EQ(mesh.seen_from(t, k, {5, 3}), Delaunay::kFar);    // behind the held side
   EXPECT_EQ(mesh.seen_from(t, k, {4, 3}), Delaunay::kFar);    // on the held side
-  EXPECT_EQ(mesh.seen_from(t, k, {-1, -1}), Delaunay::kFar);  // the line does not start within the triangle
+  EXPECT_EQ(mesh.seen_from(t, k, {-1, -1}), Delaunay::kFar);  // the line does not start in the triangle
 }
 
 }  // namespace

@@ -82,7 +82,8 @@ TEST(DivideAlike, KeepsTheTopologyOfAnotherGear) {
     EXPECT_EQ(after.panels[p].sets, before.panels[p].sets);
   }
   EXPECT_NE(after.panels[1].meshes, before.panels[1].meshes);
-  EXPECT_EQ(after.panels.back().meshes, before.panels.back().meshes);  // of the cod-end, far from it
+  // the panel of the cod-end, which is far from the changed panel
+  EXPECT_EQ(after.panels.back().meshes, before.panels.back().meshes);
   double deepest = 0;
   for (const auto& [U, V] : after.panels[1].meshes) deepest = std::max(deepest, V);
   EXPECT_NEAR(deepest, 192, 1e-9);

@@ -17,7 +17,7 @@
 namespace netloft::gears {
 namespace {
 
-/// A divided gear, and the plan to which it refers.
+/// A meshed gear and the plan to which it refers.
 struct Divided {
   CheckedPlan checked;
   Gear gear;
@@ -29,7 +29,7 @@ struct Divided {
   const RopeMesh& rope(const std::string& name) const {
     return mesh.ropes[static_cast<std::size_t>(gear.find_rope(name) - gear.ropes.data())];
   }
-  /// The gear's numbers of the nodes of an edge or a corner.
+  /// The nodes of an edge or a corner, by their numbers in the gear.
   std::vector<std::uint32_t> nodes(const std::string& panel_name, const std::string& set) const {
     std::vector<std::uint32_t> all;
     for (const auto own : panel(panel_name).sets.at(set)) all.push_back(panel(panel_name).nodes[own]);
@@ -92,7 +92,7 @@ std::string rectangle(const std::string& more) {
          more;
 }
 
-/// Whether two sides of a triangle are single bars, one of either direction.
+/// Whether two sides of a triangle are single bars, one in each twine direction.
 bool is_between_knots(const PanelMesh& panel, std::size_t t, const Panel& plan) {
   std::set<std::array<double, 2>> bars;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -126,7 +126,7 @@ TEST(GearMeshByKnots, IsWithoutHolesAndHasTheAreaOfItsOutlines) {
     expect_closed_and_oriented(all.gear, all.mesh);
   });
 }
-// More than 95 % of the triangles have two bars between knots as sides; only those at borders have not.
+// More than 95 % of the triangles have two bars between knots as sides; only triangles at borders do not.
 TEST(GearMeshByKnots, HasTrianglesBetweenKnotsButForItsBorders) {
   const Divided all = divided(library_text("codend-100-round.toml"), Extent::whole, by_knots());
   for (std::size_t p = 0; p < all.mesh.panels.size(); ++p) {
@@ -214,16 +214,18 @@ TEST(GearMesh, RestLengthsAddUpToTheRopes) {
   });
 }
 
-/// Along a hung edge, the rope has the nodes of the edge in their order, and the length that the plan states.
+/// Along an edge that is hung on a rope, the rope has the nodes of the edge in the same order, and the length
+/// given by the plan.
 TEST(GearMesh, RopesRunAlongTheNodesOfTheirEdges) {
   const auto all = divided(library_text("four-panel.toml"), Extent::whole, by_nodes(500));
   EXPECT_EQ(all.rope("headline").nodes, all.nodes("top", "fore"));
   auto breast = all.nodes("starboard-side", "fore");
-  std::reverse(breast.begin(), breast.end());  // from the headline's end down to the footrope's
+  std::reverse(breast.begin(), breast.end());  // from the end of the headline down to that of the footrope
   EXPECT_EQ(all.rope("starboard-breast-line").nodes, breast);
 }
 
-/// Both wings take 36 ft and the bosom 11.9 ft of the rope, 83.9 ft in all; they share the lack of rope.
+/// Both wings take 36 ft and the bosom 11.9 ft of the rope, 83.9 ft in all; the missing length is divided
+/// among them.
 TEST(GearMesh, RopesTakeTheSharesOfTheirEdges) {
   const auto all = divided(library_text("83-112-eastern.toml"), Extent::half, by_nodes(2000));
   const auto& rope = all.rope("headrope");

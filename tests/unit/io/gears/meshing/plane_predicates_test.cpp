@@ -14,7 +14,8 @@ namespace {
 using Whole = boost::multiprecision::cpp_int;
 using WholePoint = std::array<std::int64_t, 2>;
 
-/// The determinants in whole numbers of any length, for coordinates that are multiples of one power of two.
+/// The determinants, computed in whole numbers of any length, for coordinates that are multiples of one power
+/// of two.
 int whole_turn(const WholePoint& a, const WholePoint& b, const WholePoint& c) {
   const Whole left = (Whole(a[0]) - c[0]) * (Whole(b[1]) - c[1]),
               right = (Whole(a[1]) - c[1]) * (Whole(b[0]) - c[0]);
@@ -39,13 +40,14 @@ PlanePoint scaled(const WholePoint& p, int exponent) {
   return {std::ldexp(static_cast<double>(p[0]), exponent), std::ldexp(static_cast<double>(p[1]), exponent)};
 }
 
-/// How often each sign occurred, so that a test can say that it met all three.
+/// How often each sign occurred, so that a test can check that all three did.
 struct Signs {
   std::array<int, 3> times{};
   void count(int sign) { ++times[static_cast<std::size_t>(sign + 1)]; }
 };
 
-/// Compares both predicates with whole numbers, at scales from the least to the greatest that are promised.
+/// Compares both predicates with results in whole numbers, at scales from the least to the greatest that are
+/// supported.
 void expect_exact(const std::array<WholePoint, 4>& p, Signs& turns, Signs& circles) {
   const int turned = whole_turn(p[0], p[1], p[2]), circled = whole_in_circle(p);
   turns.count(turned);
@@ -142,7 +144,7 @@ TEST(LiftedCircle, DecidesForPointsOnOneCircleWhateverTheirOrder) {
   for (std::size_t i = 0; i < 4; ++i) {
     const PlanePoint &a = square[i], &b = square[(i + 1) % 4], &c = square[(i + 2) % 4],
                      &d = square[(i + 3) % 4];
-    // (1, 1) is lifted most, so that the diagonal runs from (0, 1) to (1, 0).
+    // the paraboloid is highest at (1, 1), so that the diagonal runs from (0, 1) to (1, 0).
     const int side = d[0] != d[1] ? 1 : -1;
     EXPECT_EQ(in_lifted_circle(a, b, c, d), side);
     EXPECT_EQ(in_lifted_circle(b, c, a, d), side);

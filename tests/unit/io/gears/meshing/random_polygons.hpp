@@ -12,7 +12,8 @@
 
 namespace netloft::gears {
 
-/// A polygon of whole coordinates around the origin, with a hole, and points between them.
+/// A polygon with whole coordinates around the origin, with a hole, and points between its border and the
+/// hole.
 struct PolygonWithHole {
   std::vector<PlanePoint> border, hole, inside;
 
@@ -23,7 +24,7 @@ struct PolygonWithHole {
     return all;
   }
 
-  /// Of the border, and of the hole in it.
+  /// Twice the area of the border and of the hole.
   std::int64_t twice_area() const {
     double sum = 0;
     for (std::size_t i = 0; i < border.size(); ++i) {
@@ -49,8 +50,8 @@ class RandomPolygons {
     return {drawn.begin(), drawn.end()};
   }
 
-  /// Both are star-shaped and mostly far from convex; a small extent has many points on one line or circle,
-  /// and sharp corners.
+  /// Border and hole are star-shaped and mostly far from convex. With a small extent, many points are on one
+  /// line or circle, and corners are sharp.
   PolygonWithHole polygon_with_hole(int extent) {
     PolygonWithHole polygon;
     do {
@@ -64,7 +65,8 @@ class RandomPolygons {
   }
 
  private:
-  /// Points at growing angles, between `least` and twice this part of the extent from the origin.
+  /// Points at growing angles, at distances from the origin between `least` and twice `least` times the
+  /// extent.
   std::vector<PlanePoint> star(int extent, double least) {
     const int number = static_cast<int>(between(3, 25));
     std::vector<PlanePoint> ring;
@@ -79,7 +81,7 @@ class RandomPolygons {
     return ring;
   }
 
-  /// Whether the hole and the origin lie within the border.
+  /// Whether the border contains the hole and the origin.
   static bool holds_hole(const PolygonWithHole& polygon) {
     for (const auto* ring : {&polygon.border, &polygon.hole})
       for (std::size_t i = 0; i < ring->size(); ++i) {

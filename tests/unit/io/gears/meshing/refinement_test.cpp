@@ -30,7 +30,7 @@ PlanePoint centre(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
   return {(u * vy - v * uy) / det, (ux * v - vx * u) / det};
 }
 
-/// Whether a triangle meets the bounds, or no point could improve it.
+/// Whether a triangle satisfies the bounds or no point could improve it.
 bool is_done(const Delaunay& mesh, std::uint32_t t, double longest) {
   const auto& corners = mesh.triangles()[t].corners;
   std::array<PlanePoint, 3> p;

@@ -79,7 +79,7 @@ TEST(StartShape, StretchesNoSideOfATriangleFarBeyondItsTwines) {
   }
 }
 
-/// Netting of 96 meshes around and 24 deep, open at both ends, in one piece or in several.
+/// Netting of 96 meshes around and 24 deep, open at both ends, made of one panel or of several.
 std::string tube_in(const std::string& pieces) {
   const auto panel = [](const char* name, const std::string& more) {
     return "[panels." + std::string(name) +

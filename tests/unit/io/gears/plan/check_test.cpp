@@ -54,7 +54,7 @@ TEST(EasternTrawl, TheSlipIsFoundAlsoWhereTheOtherCutTakesTheRest) {
   EXPECT_TRUE(says(checked, "the cuttings give 129.9 meshes")) << checked.said();
 }
 
-/// The cuttings of the bottom body miss its aft count by 0.71 meshes; seams may hide one mesh.
+/// The cuttings of the bottom body miss its aft count by 0.71 meshes; seams can take up one mesh.
 TEST(PlanCheck, AMeshMoreOrLessIsNotTold) {
   EXPECT_FALSE(says(check_text(library_text("83-112-eastern.toml")), "bottom-body.aft"));
 }

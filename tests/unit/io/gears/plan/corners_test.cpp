@@ -23,7 +23,7 @@ GearMesh divided(const Gear& gear) {
   return divide(gear, fineness);
 }
 
-/// Expects the same edges in the same places.
+/// Expects that both outlines have the same edges in the same places.
 void expect_same(const Outline& a, const Outline& b) {
   ASSERT_EQ(a.edges.size(), b.edges.size());
   for (std::size_t i = 0; i < a.edges.size(); ++i) {

@@ -190,7 +190,8 @@ TEST(Gear, ARopeOfTheMiddleIsTiedOnBothSides) {
   EXPECT_EQ(half.between, (std::array<std::string, 2>{"kite", "post"}));
 }
 
-/// The corners of a panel are at those of the sketch, its sides are straight, and port is mirrored.
+/// The corners of a panel are at those of the sketch, its sides are straight, and the port panel is the
+/// mirror image.
 TEST(Gear, ASketchPutsAPanelInItsPlace) {
   const auto checked = check_text(changed_plan(
       "sides = \"5B1P in\"", "sides = \"5B1P in\"\nsketch = [[0, 0, 2], [0, 3, 2], [4, 1, 1], [4, 0, 1]]"));
@@ -207,7 +208,7 @@ TEST(Gear, ASketchPutsAPanelInItsPlace) {
   expect_at({0, 21}, {2, 0, 1.5}), expect_at({20, 0}, {0, 1.5, 2});
 }
 
-/// A cod-end of one sheet, 20 meshes round, of which half a gear has 10.
+/// A cod-end made of one sheet, 20 meshes round; half of the gear has 10 of them.
 std::string tube_plan() {
   return changed_plan("fore = 20\ndepth = 50\nsides = \"AN\"\nopen = [\"sides\", \"aft\"]",
                       "round = 20\ndepth = 25\npieces = 2\nopen = \"aft\"");

@@ -73,7 +73,7 @@ TEST(Outline, CornersOfASideOfSeveralCutsLieBetweenThem) {
   EXPECT_NE(std::find(corners.begin(), corners.end(), "breast-cut-aft"), corners.end());
 }
 
-/// Every change of counts and cuttings draws the stored outline again: selvedges that are gathered, and rates
+/// Every change of counts and cuttings updates the stored outline, also if selvedges are gathered or rates
 /// that the check replaces.
 TEST(Outline, IsStoredAsItIsDrawn) {
   const auto expect_drawn = [](const NetPlan& plan) {

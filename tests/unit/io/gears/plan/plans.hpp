@@ -77,7 +77,7 @@ on = "headline"
 length = "1.9 m"
 )";
 
-/// The good plan with one piece of text replaced, which must be there.
+/// The good plan with one piece of its text replaced; the plan must contain it.
 inline std::string changed_plan(const std::string& old, const std::string& now) {
   std::string text = kGoodPlan;
   const auto at = text.find(old);

@@ -8,7 +8,7 @@
 namespace netloft::gears {
 namespace {
 
-/// Draws random plans of three panels, which can be sewn together whatever their cuttings are.
+/// Draws random plans of three panels that can be sewn together, with any cuttings.
 class Draw {
  public:
   explicit Draw(unsigned seed) : random_(seed) {}
@@ -70,7 +70,7 @@ class Draw {
     return cuts;
   }
 
-  /// Meshes across at the narrowest place.
+  /// Number of meshes across at the narrowest place.
   static double narrowest(const Panel& panel) {
     std::vector<std::pair<double, double>> gains{{0, 0}};
     const double sides = panel.stands == Standing::middle ? 2 : 1;
@@ -87,7 +87,8 @@ class Draw {
     return least;
   }
 
-  /// The meshes that a side gains up to y. A cut at y that only goes across counts by the fraction `taken`.
+  /// The number of meshes by which a side is wider at y than at its fore end. A cut at y that only goes
+  /// across counts by the fraction `taken`.
   static double gain(const std::vector<Cut>& side, double y, double taken) {
     double sum = 0;
     for (const auto& cut : side) {

@@ -25,8 +25,8 @@ TEST(TriedCures, AWrongAftCountIsCorrected) {
             "panels.body.aft = 20, or panels.body.fore[0].meshes = 22, or panels.body.fore[1].meshes = 31");
 }
 
-/// 25 instead of 30 meshes are cut on each side: 35 deep at 5B1P, or 42 deep after a straight run of 7. The
-/// aft count of 20 is no proposal, because the bag that is sewn to it has 30.
+/// Each side cuts 25 meshes instead of 30: 35 deep at 5B1P, or 42 deep after 7 straight meshes. The aft count
+/// of 20 is not proposed, because the bag that is sewn to it has 30.
 TEST(TriedCures, ACutThatIsAWholeSideGetsAnotherDepthOrAStraightRun) {
   const std::string text = replaced(changed_plan("aft = 20\n", "aft = 30\n"), "fore = 20\n", "fore = 30\n");
   EXPECT_EQ(hint_of(check_text(text), "body.aft: the cuttings give 20 meshes"),
@@ -50,7 +50,8 @@ TEST(TriedCures, ThePanelIsToldForItsRope) {
       << checked.said();
 }
 
-/// The depth of the cut lets the panel close by a mesh and more, which its aft count has to follow.
+/// With this depth of the cut, the panel becomes more than a mesh narrower, so its aft count must change,
+/// too.
 TEST(TriedCures, ValuesThatNeedOthersAreToldWithThem) {
   const auto checked =
       check_text(replaced(library_text("83-112-eastern.toml"), "depth = 70 }", "depth = 74 }"));

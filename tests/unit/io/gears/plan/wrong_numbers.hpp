@@ -15,7 +15,7 @@
 
 namespace netloft::test {
 
-/// A message with a sign for each number.
+/// A message in which a placeholder replaces each number.
 inline std::string without_numbers(const std::string& message) {
   std::istringstream words(message);
   std::string text;
@@ -82,7 +82,7 @@ class NumberDraw {
     return {{}, changed(*value.as<std::string>())};
   }
 
-  /// A text that is a cutting, or begins with a number.
+  /// Changes a text that is a cutting rate or begins with a number.
   std::string changed(const std::string& text) {
     std::size_t digits = 0;
     try {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plans of which one number is wrong: every value that a hint proposes is put into the plan, which is checked
-// again. Either the message is gone and no other has come, or the hint says what else is needed.
+// Plans in which one number is wrong: every value that a hint proposes is written into the plan, which is
+// checked again. Then the message must be gone without a new one, or the hint must say what else is needed.
 #include "tests/unit/io/gears/plan/wrong_numbers.hpp"
 #include "tests/unit/io/gears/plan/plans.hpp"
 
@@ -14,7 +14,7 @@
 namespace netloft::gears {
 namespace {
 
-/// What became of the hints of some hundred messages.
+/// Results of the hints of several hundred messages.
 struct Tally {
   std::map<std::string, int> messages, plans;
 
@@ -31,7 +31,7 @@ constexpr const char *kPasses = "the plan passes", *kGone = "the message goes, o
                      *kSays = "the hint says what else is needed", *kNothing = "the hint proposes no value",
                      *kWrong = "the hint is wrong";
 
-/// A plan of which a number was changed, and what the check says about it.
+/// A plan in which a number was changed, and the messages of the check.
 class WrongPlan {
  public:
   WrongPlan(formats::Value root, const Catalogue& catalogue)
@@ -72,7 +72,7 @@ class WrongPlan {
     return said;
   }
 
-  /// Whether a message is a warning that the check did not come to before, because there were errors.
+  /// Whether a message is a warning of a check that did not run before because of errors.
   bool is_late(const formats::Diagnostics& after, const std::string& kind) const {
     return said_.errors() > 0 && after.errors() == 0 &&
            (kind.find("neither sewn nor hung") != std::string::npos ||

@@ -179,7 +179,7 @@ const Wrong kSewing[] = {
     {"TakeUpThatIsNot", "edges = [\"body.aft\", \"bag.fore\"]",
      "edges = [\"body.aft\", \"bag.fore\"]\ntake_up = 1.5", "of the take-up 1.5"},
     {"JoinOfMeshesTooSmall", "mesh = \"80 mm\"", "mesh = \"15 mm\"",
-     "body.aft is 2 m wide when stretched, but bag.fore 0.3 m: the wider meshes would be bunched, ratio "
+     "body.aft is 2 m wide when stretched, but bag.fore 0.3 m: the wider netting would be bunched, ratio "
      "0.15"},
     {"HungOnNothing", "on = \"headline\"\nratio", "on = \"headlin\"\nratio", "did you mean \"headline\"?"},
     {"HungOnAPanel", "on = \"headline\"\nratio", "on = \"body\"\nratio", "\"body\" is a panel"},
@@ -245,7 +245,7 @@ const Wrong kSewing[] = {
     {"PartsJoinedToOneAnotherOnly", "\"headline.end\"", "\"bridle.end\"", "are joined to each other only"},
 };
 
-/// A user's own catalogue that the plan names, and the error that it causes.
+/// A catalogue of the user that the plan names, and the error that it causes.
 struct WrongCatalogue {
   const char* name;
   const char* text;

@@ -22,7 +22,8 @@ TEST(Canvas, LaysTranslucentColoursOverOneAnotherFromBackToFront) {
   Canvas canvas(1, 1);
   canvas.add(0, 0, 2, kBlue, 0.5);
   canvas.add(0, 0, 1, kRed, 0.5);
-  // white under half red is (1, 0.5, 0.5), and that under half blue (0.5, 0.25, 0.75)
+  // White under half-transparent red is (1, 0.5, 0.5), and this colour under half-transparent blue is (0.5,
+  // 0.25, 0.75).
   EXPECT_EQ(canvas.resolve(0, 0, kWhite), (Colour{0.5f, 0.25f, 0.75f}));
 }
 

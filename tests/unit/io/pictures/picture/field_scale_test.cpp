@@ -51,7 +51,7 @@ TEST(FieldSpread, LeavesOutTheFiftiethAtEitherEndOfNettingAndSaysSo) {
   auto values = one_to_hundred();
   values.push_back(NAN), values.push_back(1e9);
   const results::Scale middle = spread_of(values).linear(true), all = spread_of(values).linear(false);
-  EXPECT_EQ(middle.lo, 0);  // begins at zero, which costs little
+  EXPECT_EQ(middle.lo, 0);  // the scale begins at zero, because zero is near the least value
   EXPECT_EQ(middle.hi, 99);
   EXPECT_TRUE(middle.is_cut_above);
   EXPECT_FALSE(middle.is_cut_below);
@@ -70,7 +70,7 @@ TEST(FieldSpread, SpansFourDecadesAtMostLogarithmically) {
   EXPECT_TRUE(scale.is_cut_below);
 }
 
-// Two triangles of one part share two nodes; a third of another part stands on the same nodes.
+// Two triangles of one part share two nodes; a third triangle, of another part, has the same nodes.
 TEST(ValuesAtCorners, AreMeansOverTheTrianglesOfThePartAlone) {
   results::StoredMesh mesh;
   mesh.triangles = {{0, 1, 2}, {1, 3, 2}, {0, 1, 2}};

@@ -37,7 +37,7 @@ TEST(Palette, IsNearEveryPixelOfAPictureWithMany) {
   EXPECT_EQ(palette.colours.size(), 256u);
   for (std::size_t i = 0; i < palette.pixels.size(); ++i)
     for (std::size_t k = 0; k < 3;
-         ++k)  // 256 boxes divide a square of 256 by 256 into sides of 16, some of twice that
+         ++k)  // 256 boxes divide a square of 256 by 256: most sides are 16, some 32
       EXPECT_LE(std::abs(int{image.bytes[3 * i + k]} - int{palette.colours[palette.pixels[i]][k]}), 20);
 }
 

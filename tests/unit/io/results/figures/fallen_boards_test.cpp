@@ -8,7 +8,7 @@
 namespace netloft::results::test {
 namespace {
 
-/// A gear with two boards 20 m apart, or with the starboard one alone.
+/// A gear with two boards 20 m apart, or with only the starboard one.
 class Pair {
  public:
   explicit Pair(bool is_whole) {

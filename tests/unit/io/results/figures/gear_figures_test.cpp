@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Compares figures of gears with closed forms. The scenes have no net plan, but their parts are declared as
-// those of one.
+// Compares figures of gears with closed forms. The scenes have no net plan, but their parts are declared to
+// have the same roles.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -152,7 +152,7 @@ float = { buoyancy = -30 }
   EXPECT_NEAR(value(gear, "ropes/headline/mass"), std::numbers::pi / 4 * 0.02 * 0.02 * 6 * 2000, 1e-12);
 }
 
-// Of three bars of 2 m, two nodes are in the bed: three of six bar ends touch, which is half.
+// Two nodes of three bars of 2 m are in the bed: three of six bar ends touch it, which is half.
 TEST(GearGround, IsTouchedByAShareOfTheFootrope) {
   const std::string bed =
       "[parts.bed]\ntype = \"seabed/plane\"\non = \"footrope\"\n"
@@ -245,7 +245,7 @@ TEST(GearFigures, AreNoneOfASceneWithoutAGear) {
                   .empty());
 }
 
-// Tensions of a part's elements add up to zero; only loads on the part are reported.
+// Tensions within a part add up to zero, so only loads on the part are reported.
 TEST(PartForces, AreLoadsAndNotTheTensionsOfMembers) {
   runs::PreparedScene taut({written(mouth("-3", "5", "current = [1, 0, 0]")), {}, 1},
                            netloft::test::shipped_plugins());

@@ -13,10 +13,10 @@
 
 namespace netloft::results {
 
-/// A scene without a net plan, whose parts are declared as those of one.
+/// A scene without a net plan, whose parts are declared to have the roles of one.
 class HandMade {
  public:
-  /// Names of the parts that become `gear` of the scene.
+  /// Names of the parts that have a role in the gear.
   struct Parts {
     std::vector<std::string> panels, ropes, pieces;
     std::string headline = "headline", footrope = "footrope";

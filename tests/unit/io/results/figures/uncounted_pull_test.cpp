@@ -16,7 +16,7 @@ std::string three_ropes() {
   return text + "[[join]]\npoints = [\"port.end\", \"middle.end\", \"starboard.end\"]\n";
 }
 
-/// The warnings about pull if these ropes are warps of a ship.
+/// The warnings about uncounted pull if the named ropes are warps of a ship.
 std::vector<std::string> told(const std::vector<std::string>& warps) {
   HandMade::Parts parts;
   parts.ropes = {"port", "middle", "starboard"}, parts.warps = warps, parts.ship_speed = 1;

@@ -22,7 +22,7 @@ MotionResult motion_in(const std::filesystem::path& output, bool resume) {
                     {.output = output, .resume = resume, .identity = "this", .on_step = {}, .warn = {}});
 }
 
-// The motion has ended then, and only the file is missing: the journal keeps all outputs for --resume.
+// The motion has ended, and only its file has not been written: the journal keeps all outputs for --resume.
 TEST(MotionRun, ThatIsInterruptedWhileItsResultIsWrittenMakesItWhenItIsResumed) {
   const auto folder =
       std::filesystem::path(testing::TempDir()) / ("netloft-motion" + std::to_string(getpid()));

@@ -66,14 +66,14 @@ TEST(MotionWatch, FindsALossWithTimeAndPlace) {
   EXPECT_GT(found.loss->lost, 0);
   EXPECT_NEAR(found.loss->lost, found.numerical, 1e-12 * found.loss->given);
   EXPECT_NEAR(found.loss->given, 0.5 * 500 * 0.01, 0.05);         // released from rest
-  EXPECT_NEAR(found.loss->until - found.loss->from, 0.1, 1e-12);  // two outputs that follow each other
+  EXPECT_NEAR(found.loss->until - found.loss->from, 0.1, 1e-12);  // two consecutive outputs
   EXPECT_GE(found.loss->worst, found.loss->lost / 10);            // of ten such pairs
   EXPECT_EQ(found.loss->node, "bar node 1");
 }
 
 TEST(MotionWatch, DoesNotCallRoundOffALoss) {
   const NumericalLoss loss = watched(1e-9).findings.loss.value();
-  EXPECT_GT(loss.lost, 0.05 * loss.given);  // the scheme takes what there is, which is nothing
+  EXPECT_GT(loss.lost, 0.05 * loss.given);  // the scheme could remove any amount, but there is no energy left
   EXPECT_FALSE(loss.is_large());
 }
 

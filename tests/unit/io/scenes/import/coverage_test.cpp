@@ -10,7 +10,7 @@ namespace {
 enum class Fate { carried, said, idle };
 
 /// A change of a record. If the importer rejects the file, that counts as a change of the scene. `in_motion`:
-/// it acts in a motion only.
+/// the record acts only in a motion.
 struct Record {
   const char *name, *old, *fresh;
   Fate fate;

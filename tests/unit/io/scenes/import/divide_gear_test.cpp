@@ -52,7 +52,7 @@ GearFile gear_of(std::vector<Panel> panels) {
   return gear;
 }
 
-/// FEMNET's own meshes of the gear have as many nodes, triangles and sides of twine
+/// FEMNET's meshes of the gear have the same numbers of nodes, triangles and sides of twine
 /// (10_polygon_panel.expected.json).
 TEST(DividedGear, HasTheMeshThatFemnetMakes) {
   const struct {
@@ -213,7 +213,7 @@ TEST(DividedGear, AnswersWhatCannotBeDividedWithItsPlace) {
   }
 }
 
-/// Writes files into a folder of its own.
+/// Writes files into a separate folder.
 class GearInFolder : public testing::Test {
  protected:
   GearInFolder() { std::filesystem::create_directories(folder_); }

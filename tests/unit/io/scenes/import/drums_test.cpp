@@ -21,8 +21,8 @@ double at(const HauledBar& bar, double time) {
   return bar.shares[after - 1] + part * (bar.shares[after] - bar.shares[after - 1]);
 }
 
-/// Lengths from rest_lengths_m of 09_hauling.expected.json. It has none at 10 s; the last one, less one time
-/// step of hauling, stands for it.
+/// Lengths from rest_lengths_m of 09_hauling.expected.json. The file has no length at 10 s; the test uses the
+/// last length minus one time step of hauling.
 TEST(Drums, LeaveTheLengthsThatFemnetPrints) {
   const ImportedSample gear(kGear, kMesh);
   const auto hauled = haul(gear.read.gear, gear.mesh);

@@ -132,8 +132,8 @@ TEST(StaleMesh, IsRefusedWithItsRow) {
   EXPECT_NE(refused("2 2 3 0 1 -1").find("cable -1 does not exist"), std::string::npos);
 }
 
-/// Characters are changed, dropped and doubled at random, with a fixed seed. Nothing crashes, and a file that
-/// is imported gives a mesh that can be read again.
+/// Changes, removes and doubles random characters, with a fixed seed. Nothing may crash, and a file that is
+/// imported gives a mesh that can be read again.
 TEST(MutatedGears, DoNotCrash) {
   std::mt19937 random(20240607);
   const std::string letters = "0123456789.-+eE:# \n\tinputxyz\xC3";

@@ -99,7 +99,8 @@ TEST(MoorDyn, IsReadAsPointsAndLines) {
   EXPECT_EQ(table.density, 1000);
   EXPECT_EQ(table.gravity, 9.8);
   for (const auto& n : table.nodes) EXPECT_GE(n.at[2], -100);
-  ASSERT_EQ(read.mooring.findings.size(), 3u);  // and the time step and a tension at a free point
+  ASSERT_EQ(read.mooring.findings.size(), 3u);  // further findings: the time step, and a tension at a free
+                                                // point
   EXPECT_NE(read.mooring.findings[0].text.find("point-4 is held"), std::string::npos);
   EXPECT_FALSE(read.mooring.findings[0].is_left_out);
 }
@@ -138,7 +139,7 @@ TEST(MoorDyn, SaysWhatItLeavesOut) {
   ASSERT_EQ(read.diagnostics.errors(), 0) << read.said();
   int left_out = 0;
   for (const auto& f : read.mooring.findings) left_out += f.is_left_out;
-  EXPECT_EQ(left_out, 5);  // with the time step and the tension at a free point
+  EXPECT_EQ(left_out, 5);  // including the time step and the tension at a free point
 }
 
 /// The left-out features, as "line: text".
@@ -221,7 +222,7 @@ TEST(MoorDyn, AsksWhetherAFileWithoutAnEndIsWhole) {
   const std::string cut = kMooring.substr(0, kMooring.find("9.8       g"));
   const ReadMooring read(cut);
   ASSERT_EQ(read.diagnostics.errors(), 0) << read.said();
-  ASSERT_EQ(read.mooring.findings.size(), 3u);  // and point 4 is coupled, and the time step
+  ASSERT_EQ(read.mooring.findings.size(), 3u);  // further findings: point 4 is coupled, and the time step
   EXPECT_NE(read.mooring.findings.back().text.find("is it whole?"), std::string::npos);
 }
 

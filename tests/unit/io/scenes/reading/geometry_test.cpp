@@ -95,7 +95,8 @@ TEST(CrossedPanel, HasTheEdgesOfThePanelThatAlternates) {
   EXPECT_EQ(panel(crossed()).names.sets, panel().names.sets);
 }
 
-/// Meshes are counted from the aft edge; with crossed cells the last node is a centre and not on it.
+/// Meshes are counted from the aft edge; with crossed cells, the last node is the centre of a cell and not on
+/// that edge.
 TEST(CrossedPanel, CountsMeshesToTheAftEdge) {
   const Geometry g = panel(crossed());
   const auto& to_aft = g.data.at("to_aft");
@@ -242,8 +243,8 @@ TEST(Tube, ShowsItsTrianglesCounterClockwiseToTheOutside) {
       const auto n = triangle(g, t);
       std::array<std::array<double, 3>, 3> x{at(g, n[0]), at(g, n[1]), at(g, n[2])};
       const auto first = at(g, 0), opposite = at(g, 4);
-      // The normal times the way from the axis at the fore edge; the part of the way along the axis adds
-      // nothing.
+      // The product of the normal and the vector from the axis at the fore edge; the component of this vector
+      // along the axis adds nothing.
       double outwards = 0;
       for (std::size_t a = 0; a < 3; ++a) {
         const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;

@@ -40,7 +40,7 @@ TEST(PanelsInRow, ThatFollowOneAnotherInARingAreCountedOnceRound) {
   EXPECT_EQ(counted({0, 1, 2, 1, 0, 3}, {5, 0, 0, 7, 0, 0}), (Meshes{17, 12, 12, 12, 5, 5}));
 }
 
-// A call for each panel behind another would use up the stack.
+// A recursive call for each panel would use up the stack.
 TEST(PanelsInRow, MayBeAHundredThousand) {
   constexpr std::uint32_t kPanels = 100000;
   std::vector<std::uint32_t> nodes;

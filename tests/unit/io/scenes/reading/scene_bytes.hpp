@@ -157,7 +157,7 @@ class SceneBytes {
   void put(const GearInScene& g) {
     const auto& [times, panels, ropes, pieces, points, nodes, size, headline, footrope, across, roles, pairs,
                  ship_speed, ship_efficiency, bill, netting, sheet, division] = g;
-    static_cast<void>(division);  // the geometry of the parts is that of its mesh
+    static_cast<void>(division);  // the geometry of the parts already includes this mesh
     put_all(times, panels, ropes, pieces, points, nodes, size, headline, footrope, across, roles, pairs,
             ship_speed, ship_efficiency, bill, netting, sheet);
   }

@@ -24,8 +24,8 @@ TEST(CourseOfBlock, StaysWhileTheShipGoesOn) {
     EXPECT_NEAR(std::hypot(course.at(t).d[0], course.at(t).d[1]), 0, 1e-12);
 }
 
-/// While the ship turns, its way is a circle of radius R = V/ω. The course is measured from a point that goes
-/// straight on.
+/// While the ship turns, its path is a circle of radius R = V/ω. The course is measured from a point that
+/// goes straight on.
 TEST(CourseOfBlock, GoesRoundACircleAndOnStraight) {
   const double omega = kQuarter / kTurning, R = kSpeed / omega, across = -3;
   const Course course = course_of_block(turning_ship(), across);
@@ -35,7 +35,8 @@ TEST(CourseOfBlock, GoesRoundACircleAndOnStraight) {
     EXPECT_NEAR(course.at(t).d[1], R * (1 - c) + across * (c - 1), 1e-5 * R) << t;
   }
   const Course::Moment at_once = course.at(20 + kTurning), later = course.at(30 + kTurning);
-  EXPECT_NEAR(later.d[0] - at_once.d[0], 10 * kSpeed, 1e-9);  // it falls behind the point that goes on to -x
+  EXPECT_NEAR(later.d[0] - at_once.d[0], 10 * kSpeed, 1e-9);  // the ship falls behind the point that goes on
+                                                              // to -x
   EXPECT_NEAR(later.d[1] - at_once.d[1], 10 * kSpeed, 1e-9);  // and moves to starboard
 }
 
@@ -50,7 +51,7 @@ TEST(CourseOfBlock, FallsBackByWhatTheShipIsSlower) {
   EXPECT_EQ(course.at(20).d[1], 0);
 }
 
-/// Two ships turn away from each other by a right angle, each on a circle: in the end they are 2 R further
+/// Two ships turn away from each other by a right angle, each on a circle; afterwards they are 2 R farther
 /// apart.
 TEST(CourseOfBlock, IsThatOfItsOwnShipWhereTwoTow) {
   gears::Ship ships = turning_ship();

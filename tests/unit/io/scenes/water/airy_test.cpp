@@ -67,7 +67,7 @@ TEST_P(InDepths, AreTheSameAfterAThousandPeriods) {
 }
 
 /// By Wheeler 1970, the surface under a crest has the velocity that linear theory gives at z = 0, and the bed
-/// has that which it gives at the bed.
+/// has the velocity that it gives at the bed.
 TEST(Airy, StretchingBringsTheSurfaceToZero) {
   const AiryWaves stretched = waves_in(20, true), linear = waves_in(20, false);
   const double crest = stretched.height({3, 0, 0}, 0.5);
@@ -88,7 +88,7 @@ TEST(Airy, TravelIntoTheirDirection) {
 /// Dalrymple 1991, section 3.4.6).
 TEST(Airy, AreMetByATowedGearAtTheirPeriodOfEncounter) {
   Current aft;
-  aft.tow = {-2, 0, 0};  // the gear goes to +x as the waves do, so that U = -2 m/s
+  aft.tow = {-2, 0, 0};  // the gear moves to +x like the waves, so that U = -2 m/s
   const double k = wave_number(kOmega, kGravity, 20), period = 2 * kPi / (kOmega - 2 * k);
   const AiryWaves waves = waves_in(20, true, aft);
   EXPECT_NEAR(waves.height({3, 0, 0}, 0.4 + period), waves.height({3, 0, 0}, 0.4), 1e-13);

@@ -29,8 +29,7 @@ TEST(Jonswap, IsTheSameToTheBitForASeedAndAnotherForAnother) {
   EXPECT_NE(a[0].phase, c[0].phase);
 }
 
-/// The test runs SplitMix64 itself, from the name and the number of the seed: every machine has to draw these
-/// numbers.
+/// The test has its own SplitMix64, seeded by name and number: every machine must draw these numbers.
 TEST(Jonswap, DrawsWhatTheGeneratorSays) {
   std::uint64_t state = 14695981039346656037ull;
   for (const char c : {'w', 'a', 'v', 'e', 's'})

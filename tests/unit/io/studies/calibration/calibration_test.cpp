@@ -6,7 +6,8 @@
 namespace netloft::studies {
 namespace {
 
-/// A calibration of one scene with two variables, fitted to one measurement; another one is held back.
+/// A calibration of one scene with two variables, fitted to one measurement; a second measurement is held
+/// back.
 Calibration done(double correlation) {
   Calibration c;
   c.file.name = "study", c.file.scenes = {{"slow", "slow.toml", {}, {}}};

@@ -39,7 +39,7 @@ class SceneOptimumTest : public formats::test::Scratch {
     checked_ = check_optimum(file, folder_, test::shipped_plugins(), diagnostics_);
     return file;
   }
-  /// All errors as "line:column: message", a line each.
+  /// All errors as "line:column: message", one per line.
   std::string errors_of(const std::string& text) {
     open(text);
     std::string all;
@@ -124,7 +124,7 @@ TEST_F(SceneOptimumTest, GoesOnWhereItWasInterrupted) {
   const SceneOptimum second = optimise(kRope);
   EXPECT_EQ(second.status(), "optimal");
   EXPECT_EQ(second.found.history.size(), whole.found.history.size());
-  EXPECT_EQ(second.solves, whole.solves - 3 + 1);  // that of the last accepted point is sought again
+  EXPECT_EQ(second.solves, whole.solves - 3 + 1);  // the last accepted point is solved again
   EXPECT_NEAR(second.found.best.parameters[0], whole.found.best.parameters[0], 1e-8);
   EXPECT_EQ(optimise(kRope).solves, 0);
   EXPECT_EQ(optimise(replaced(kRope, "-200 cm", "-210 cm")).found.history.front().predictions,
@@ -168,8 +168,8 @@ TEST_F(SceneOptimumTest, LimitsTheForceOfAHold) {
   EXPECT_NEAR(4 * L / 100 + 2 * 4 * std::asinh(L / (2 * 4)), 8, 1e-5);
 }
 
-// A variable that several keys follow: with density and stiffness in one proportion, all tensions are in that
-// proportion, too (Euler's theorem), and the least allowed one is the best.
+// A variable that several keys follow: if density and stiffness change in the same proportion, all tensions
+// change in that proportion, too (Euler's theorem), and the least allowed one is the best.
 TEST_F(SceneOptimumTest, ChangesSeveralKeysTogether) {
   const SceneOptimum done = optimise(replaced(
       replaced(kRope.substr(0, kRope.find("[[constraints]]")), "\"parts.rope.length\"",

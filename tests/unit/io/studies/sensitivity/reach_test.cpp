@@ -142,7 +142,8 @@ TEST_F(ReachOfDerivatives, EndsAtAFoldWithinADeviation) {
 
 // With the strain e = 8 m/L − 1, de/dL = −8 m/L²: to first order, the rope is slack when L has grown by L (8
 // m − L)/8 m, which is 0.469 m.
-// Of the lengths a millionth longer and shorter, the longer wire would be slack where the weight is now.
+// Of the lengths a millionth longer and shorter, the longer wire would be slack at the present position of
+// the weight.
 TEST_F(ReachOfDerivatives, IncludesAWireThatMovesInOrderToStayTaut) {
   const NumberEffect effect = effect_of(kStiffWire, {}, "parts.wire.length");
   ASSERT_EQ(effect.why_not, "");

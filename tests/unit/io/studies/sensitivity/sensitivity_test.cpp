@@ -59,7 +59,8 @@ TEST(Sensitivity, ObeysTheScalingOfForces) {
   EXPECT_NEAR(scaled("sag_z"), 0, 1e-12);
 }
 
-// Against central differences of equilibria: flow, shelter, a rope, and a hold that moves.
+// Numbers of the flow, of shelter, of a rope and of a moving hold, compared with central differences of
+// equilibria.
 TEST(Sensitivity, IsTheChangeOfEquilibriaOfATrawl) {
   const std::vector<std::string> coarse{"gear.nodes=300", "analysis.tolerance=1e-10"};
   AtRest trawl("83-112-flume-3.0kn.toml", coarse);
@@ -82,8 +83,8 @@ TEST(Sensitivity, IsTheChangeOfEquilibriaOfATrawl) {
   }
 }
 
-// Counts, mesh sizes, take-ups and lengths of the net plan, against central differences of equilibria on the
-// same mesh topology.
+// Counts, mesh sizes, take-ups and lengths of the net plan, compared with central differences of equilibria
+// on the same mesh topology.
 TEST(Sensitivity, IsTheChangeOfEquilibriaForNumbersOfThePlan) {
   AtRest trawl("83-112-flume-3.0kn.toml", {"gear.nodes=300", "analysis.tolerance=1e-11"});
   const Sensitivities found = trawl.to({"panels.top-wing.depth", "panels.bottom-body.fore[0].meshes",
@@ -120,8 +121,8 @@ TEST(Sensitivity, HasNoDerivativesForCells) {
   }
 }
 
-// The density of the water cannot be below zero. Where the rope hangs in air, a little water relieves it by
-// its buoyancy alone, which is as much as a lower density of the rope.
+// The density of the water cannot be below zero. If the rope hangs in air, water of a low density reduces its
+// weight by the buoyancy, as a lower density of the rope would.
 TEST(Sensitivity, LooksToOneSideAtAnEndOfARange) {
   AtRest rope("hanging-rope.toml", {"analysis.tolerance=1e-12"});
   const Sensitivities found = rope.to({"water.density", "parts.rope.rope.density"});
@@ -158,7 +159,7 @@ TEST(SceneNumbers, AreThoseOfTheTablesThatSayWhatTheSceneIs) {
   EXPECT_EQ(rope.numbers({"parts.rope.length"}).at(0).to(10.5).front().text, "parts.rope.length=\"10.5 m\"");
 }
 
-// The twine of a panel is that of the catalogue, which the plan names.
+// The twine of a panel is one of the catalogue, named by the plan.
 TEST(SceneNumbers, OfAPartIncludeThoseOfTheCatalogue) {
   AtRest trawl("83-112-flume-3.0kn.toml", {"gear.nodes=300", "analysis.tolerance=1e-10"});
   EXPECT_GT(trawl.numbers({"elements.headrope"}).size(), 2u);

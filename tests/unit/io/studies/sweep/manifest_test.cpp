@@ -65,7 +65,7 @@ TEST_F(ManifestTest, IsRefusedWhereverABitIsFlipped) {
     EXPECT_NE(refusal(changed), "") << "byte " << at << ", " << text[at];
   }
 }
-// All of these have right checksums and hashes.
+// All of these manifests have correct checksums and hashes.
 TEST_F(ManifestTest, IsRefusedIfItsTableWouldSayWhatWasNotSet) {
   Study text = sample(), number = sample(), both = sample(), none = sample();
   text.items[0].points[0].values[0].text = "3 kn";

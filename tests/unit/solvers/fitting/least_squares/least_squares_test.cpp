@@ -42,7 +42,7 @@ TEST(LeastSquares, WeighsPriorAndMeasurements) {
   EXPECT_NEAR(f.model_deviations[1], 1 / std::sqrt(2.25), 1e-9);
 }
 
-// A measurement of f = a + b determines the sum and not the difference. In units of the priors, N of (2) is
+// A measurement of f = a + b determines the sum, but not the difference. In units of the priors, N of (2) is
 // I + w (1 1; 1 1).
 TEST(LeastSquares, SaysWhatCannotBeToldApart) {
   FunctionModel model([](const Numbers& x) { return Numbers{x[0] + x[1]}; });
@@ -122,7 +122,7 @@ class InterruptedModel : public FunctionModel {
   int left_;
 };
 
-// The fit is interrupted at every call in turn. A point with known slopes remains complete.
+// The fit is interrupted at each call in turn. A point with known slopes must remain complete.
 TEST(LeastSquares, KeepsTheBestPointWhoseSlopesAreKnownWhenInterrupted) {
   for (int calls = 0; calls < 12; ++calls) {
     InterruptedModel model([](const Numbers& x) { return Numbers{x[0] * x[0], x[0] + x[1]}; }, calls);

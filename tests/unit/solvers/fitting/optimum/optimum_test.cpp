@@ -85,8 +85,9 @@ TEST(Optimum, SolvesAProblemWithAnEquation) {
   EXPECT_NEAR(found.parameter_prices[0], 1.0878712, 1e-4);
 }
 
-// Full steps along this curved constraint raise the objective and the violation at once, although they lead
-// to the optimum (N. Maratos, thesis, London 1978). From (0.6, 0.8) to (1, 0), with the multiplier 3/2.
+// Full steps along this curved constraint increase both the objective and the violation, although they lead
+// to the optimum (N. Maratos, thesis, London 1978). The search leads from (0.6, 0.8) to (1, 0), with the
+// multiplier 3/2.
 TEST(Optimum, FollowsACurvedConstraint) {
   ModelOfFunction model([](const Numbers& x) {
     const double square = squared(x[0]) + squared(x[1]);
@@ -118,8 +119,9 @@ TEST(Optimum, SaysThatConstraintsContradictEachOther) {
   EXPECT_FALSE(found.converged);
   EXPECT_FALSE(found.is_feasible);
   EXPECT_LT(found.history.size(), 10u);
-  EXPECT_EQ(found.reason,
-            "no point near the last one violates the constraints less: they contradict each other there");
+  EXPECT_EQ(
+      found.reason,
+      "near the last point, none violates the constraints less: the constraints contradict each other there");
   EXPECT_NEAR(found.best.violation, (20 - 8) / 20.0, 1e-9);
 }
 

@@ -47,8 +47,8 @@ TEST(LineSearch, GoesFarWhenTheFirstLengthIsShort) { EXPECT_GT(run({}, parabola,
 TEST(LineSearch, ComesBackWhenTheFirstLengthIsLong) { EXPECT_LT(run({}, parabola, 1e6).t, 2); }
 
 // The function is −t/(t² + 2), number 1 of J. J. Moré and D. J. Thuente, ACM Trans. Math. Softw. 20 (1994)
-// 286-307; first lengths are from far too short to far too long. Beyond its minimum at √2 it is flat: t = 10
-// is acceptable, 1000 is too long for (1).
+// 286-307; the first step lengths range from far too short to far too long. Beyond its minimum at √2 it is
+// flat: t = 10 is acceptable, 1000 is too long for (1).
 TEST(LineSearch, MeetsItsConditionsOnMoreAndThuentesFirstFunction) {
   LineSearch search;
   search.decrease = 1e-3, search.curvature = 0.1;

@@ -8,8 +8,8 @@
 namespace netloft::test {
 namespace {
 
-/// E = −½ k u² with the linear stiffness 1, as a problem that does not declare that its matrix is symmetric.
-/// The step s = k u/(μ − k) of newton.hpp (2) leads uphill until μ is more than k.
+/// E = −½ k u² with the linear stiffness 1, in a problem that does not declare its matrix symmetric. The step
+/// s = k u/(μ − k) of newton.hpp (2) leads uphill until μ is more than k.
 struct Summit {
   double k;
   bool has_factor = true;

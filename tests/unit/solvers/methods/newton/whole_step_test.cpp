@@ -9,11 +9,11 @@ namespace netloft::test {
 namespace {
 
 /// r = u |u|^(q−1), a force without an energy. Newton's own step leads from u to u − u/q. With q = 1/2 it
-/// alternates between u and −u for ever, and by the trapezoidal rule the force does no work on the way; with
-/// a smaller q the steps lead ever farther away.
+/// alternates between u and −u for ever, and by the trapezoidal rule the force does no work between them;
+/// with a smaller q the steps lead ever farther away.
 struct Root {
   double q, element, u = 1, tangent = 0, kept = 0;
-  double last = 0;  // point at which the residual was evaluated last
+  double last = 0;  // point of the last evaluation of the residual
   int iterations = 0, found_again = 0;
   netloft_problem interface {};
 

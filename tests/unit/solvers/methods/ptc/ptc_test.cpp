@@ -31,7 +31,7 @@ TEST(PseudoTransient, LeavesAnEquilibriumThatIsNotStable) {
   EXPECT_NEAR(s.position(1)[2], -1.1, 1e-9);
 }
 
-// Newton's method takes short steps there, because twines alternate between slack and taut.
+// Newton's method takes short steps in the narrow part, because twines alternate between slack and taut.
 TEST(PseudoTransient, FindsACodEndWithALongNarrowNeck) {
   const SolvedFile s = solve_file(
       "verification/codend-with-catch.toml",

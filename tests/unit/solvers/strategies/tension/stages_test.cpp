@@ -13,8 +13,8 @@ namespace {
 
 using StageEnding = MixedNewton::Ending;
 
-/// Compares the equilibrium by stages with that by newton from the sketch; from the former, newton needs few
-/// iterations.
+/// Compares the equilibrium found by stages with that found by newton from the sketch; from the former,
+/// newton needs few iterations.
 void expect_same_place(const Scene& scene, double size) {
   TakenAsMembers taken(scene);
   EXPECT_EQ(Stages(defaults<FromSoft>(), taken.problem.interface()).solve(taken.u), StageEnding::converged);

@@ -25,7 +25,7 @@ typename Strategy::Parameters defaults() {
   return parameters;
 }
 
-/// A scene in the form of members and other forces, as methods of solvers/strategies/tension take it.
+/// A scene in the form of members and other forces, which methods of solvers/strategies/tension solve.
 struct TakenAsMembers {
   explicit TakenAsMembers(const Scene& scene, const Limits& limits = {},
                           const std::function<void(const IterationRecord&)>& on_iteration = {})
