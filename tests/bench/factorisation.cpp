@@ -17,6 +17,7 @@
 #include "framework/scene/scene_plan.hpp"
 #include "solvers/factorisation/multifrontal.hpp"
 #include "solvers/factorisation/mumps.hpp"
+#include "tests/bench/cholmod_factorisation.hpp"
 #include "tests/folders.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/solvers/factorisation/net_matrix.hpp"
@@ -91,6 +92,7 @@ void compare_definite(const char* what, const TestMatrix& m) {
   table.add("multifrontal AMD", measure(*make_definite_factorisation(OrderingMethod::amd), m));
   if (has_mumps())
     table.add("MUMPS LDLT best", measure(*make_mumps_factorisation(MatrixClass::symmetric), m));
+  if (const auto cholmod = make_cholmod_factorisation()) table.add("CHOLMOD", measure(*cholmod, m));
 }
 
 void compare_indefinite(const char* what, const TestMatrix& m) {

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <memory>
 #include <mutex>
 #include <thread>
 
@@ -17,6 +18,25 @@ namespace {
 
 // Python handles a signal only if somebody asks, and an answer is wanted within 0.2 s.
 constexpr std::chrono::milliseconds kBetweenQuestions{20};
+// Most steps of a search are shorter, so that the shape is there when the call ends.
+constexpr std::chrono::milliseconds kPatience{80};
+
+/// Counts threads whose work was left.
+struct LeftWork {
+  std::mutex mutex;
+  std::condition_variable changed;
+  int count = 0;
+  void add(int difference) {
+    const std::lock_guard lock(mutex);
+    count += difference;
+    changed.notify_all();
+  }
+};
+
+LeftWork& left_work() {
+  static LeftWork& all = *new LeftWork;  // never destroyed: threads may outlive the interpreter
+  return all;
+}
 
 /// Discards an exception that a component in Python raised in this thread and nobody has fetched.
 void forget_error() {
@@ -27,21 +47,10 @@ void forget_error() {
 }
 
 /// A thread that works once.
-class Worker {
+class Worker : public std::enable_shared_from_this<Worker> {
  public:
   explicit Worker(const std::function<void(std::atomic<bool>&)>& work)
-      : thread_([this, &work, may_read = ReadingLock::is_held_here()] {
-          const LentReading lent(may_read);
-          try {
-            work(interrupt_);
-          } catch (...) {
-            fault_ = std::current_exception();
-          }
-          forget_error();
-          const std::lock_guard lock(mutex_);
-          is_done_ = true;
-          done_.notify_one();
-        }) {}
+      : work_(work), may_read_(ReadingLock::is_held_here()), thread_([this] { run(); }) {}
   ~Worker() {
     if (thread_.joinable()) thread_.join();
   }
@@ -49,9 +58,24 @@ class Worker {
   Worker& operator=(const Worker&) = delete;
 
   /// Waits for a moment. Returns whether the work has ended.
-  bool wait() {
+  bool wait() { return wait(kBetweenQuestions); }
+  bool wait(std::chrono::milliseconds moment) {
     std::unique_lock lock(mutex_);
-    return done_.wait_for(lock, kBetweenQuestions, [this] { return is_done_; });
+    return done_.wait_for(lock, moment, [this] { return is_done_; });
+  }
+  void wait_to_the_end() {
+    std::unique_lock lock(mutex_);
+    done_.wait(lock, [this] { return is_done_; });
+  }
+  /// Leaves the work to its thread, which then owns this object. Returns whether it still goes on. Work that
+  /// reads scenes by the lock of the thread that waits for it cannot be left.
+  bool leave() {
+    const std::lock_guard lock(mutex_);
+    if (is_done_ || may_read_) return false;
+    left_work().add(1);
+    self_ = shared_from_this();
+    thread_.detach();
+    return true;
   }
   void interrupt() { interrupt_ = true; }
   void finish() {
@@ -60,12 +84,37 @@ class Worker {
   }
 
  private:
+  void run() {
+    {
+      const LentReading lent(may_read_);
+      try {
+        work_(interrupt_);
+      } catch (...) {
+        fault_ = std::current_exception();
+      }
+      forget_error();
+    }
+    std::shared_ptr<Worker> self;
+    {
+      const std::lock_guard lock(mutex_);
+      is_done_ = true;
+      self = std::move(self_);
+      done_.notify_all();
+    }
+    if (!self) return;
+    self.reset();
+    left_work().add(-1);
+  }
+
+  std::function<void(std::atomic<bool>&)> work_;
+  bool may_read_;  // by the lock of the thread that waits
   std::atomic<bool> interrupt_ = false;
   std::mutex mutex_;
   std::condition_variable done_;
   bool is_done_ = false;
   std::exception_ptr fault_;
-  std::thread thread_;  // the last member, because the thread uses the others
+  std::shared_ptr<Worker> self_;  // this object, if its work was left
+  std::thread thread_;            // the last member, because the thread uses the others
 };
 
 /// The exception that a signal handler has raised since the last call; nullptr if there is none.
@@ -78,22 +127,61 @@ std::exception_ptr raised_by_signals() {
   }
 }
 
-}  // namespace
-
-std::exception_ptr call_in_background(const std::function<void(std::atomic<bool>&)>& work) {
-  std::exception_ptr raised;
-  Worker worker(work);
+/// Waits for the end of the work, or for a signal whose handler raises an exception; then interrupts the work
+/// and returns the exception.
+std::exception_ptr wait_for_end_or_signal(Worker& worker) {
   for (bool is_done = false; !is_done;) {
     {
       const py::gil_scoped_release others_may_run;
       is_done = worker.wait();
     }
-    if (raised) continue;
-    raised = raised_by_signals();
-    if (raised) worker.interrupt();
+    if (auto raised = raised_by_signals()) {
+      worker.interrupt();
+      return raised;
+    }
   }
+  return nullptr;
+}
+
+void wait_without_interpreter(Worker& worker) {
+  const py::gil_scoped_release others_may_run;
+  worker.wait_to_the_end();
+}
+
+}  // namespace
+
+std::exception_ptr call_in_background(const std::function<void(std::atomic<bool>&)>& work) {
+  Worker worker(work);
+  const std::exception_ptr raised = wait_for_end_or_signal(worker);
+  wait_without_interpreter(worker);
   worker.finish();
   return raised;
+}
+
+EndOfWork call_or_leave(const std::function<void(std::atomic<bool>&)>& work) {
+  const auto worker = std::make_shared<Worker>(work);
+  EndOfWork end{wait_for_end_or_signal(*worker), {}};
+  if (!end.raised) {
+    worker->finish();
+    return end;
+  }
+  bool is_done;
+  {
+    const py::gil_scoped_release others_may_run;
+    is_done = worker->wait(kPatience);
+  }
+  if (!is_done && worker->leave())
+    end.finish = [worker] { wait_without_interpreter(*worker); };
+  else
+    wait_without_interpreter(*worker);
+  return end;
+}
+
+void finish_left_work() {
+  const py::gil_scoped_release others_may_run;
+  LeftWork& left = left_work();
+  std::unique_lock lock(left.mutex);
+  left.changed.wait(lock, [&] { return left.count == 0; });
 }
 
 }  // namespace netloft::python

@@ -6,6 +6,7 @@
 #include "io/formats/units/units.hpp"
 #include "io/formats/work/long_work.hpp"
 #include "io/program/session/find_plugins.hpp"
+#include "io/python/module/background.hpp"
 #include "io/python/module/objects.hpp"
 #include "io/python/module/opened_scene.hpp"
 #include "io/python/module/python_element.hpp"
@@ -71,6 +72,7 @@ PYBIND11_MODULE(_netloft, module) {
   module.def("in_unit", &in_unit, py::arg("text"), py::arg("unit"));
   module.def("installed_folder", [] { return formats::installed_folder().string(); });
   module.def("add_solver", &add_solver, py::arg("name"), py::arg("doc"), py::arg("solve"));
+  py::module_::import("atexit").attr("register")(py::cpp_function(&finish_left_work));
   module.def("components", [] {
     const ReadingLock lock;
     return registry().available();

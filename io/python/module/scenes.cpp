@@ -56,15 +56,19 @@ std::vector<std::string> part_names(const OpenedScene& scene) {
 /// ends the work.
 class Watched {
  public:
-  explicit Watched(const py::object& progress) : progress_(progress) {}
+  explicit Watched(const py::object& progress)
+      : progress_(new py::object(progress), [](const py::object* last) {
+          const py::gil_scoped_acquire interpreter;  // work that was left ends in a thread of its own
+          delete last;
+        }) {}
 
   /// Calls the callable. For use by the thread that does the work.
   template <class... Numbers>
   void report(Numbers... numbers) {
-    if (progress_.is_none()) return;
+    if (progress_->is_none()) return;
     const py::gil_scoped_acquire interpreter;
     try {
-      progress_(numbers...);
+      (*progress_)(numbers...);
     } catch (...) {
       raised_ = std::current_exception();
       *interrupt_ = true;
@@ -72,10 +76,24 @@ class Watched {
   }
   /// The exception of the callable or of a signal that ended the work; None if there was no exception.
   py::object run(const std::function<void(const std::atomic<bool>&)>& work) {
-    const auto by_signal = call_in_background([&](std::atomic<bool>& interrupt) {
+    return exception(call_in_background(watched(work)));
+  }
+  /// The same for work that may be left after a signal, and owns this object; see call_or_leave().
+  py::object run_or_leave(const std::function<void(const std::atomic<bool>&)>& work,
+                          std::function<void()>& finish) {
+    EndOfWork end = call_or_leave(watched(work));
+    finish = std::move(end.finish);
+    return exception(end.raised);
+  }
+
+ private:
+  std::function<void(std::atomic<bool>&)> watched(const std::function<void(const std::atomic<bool>&)>& work) {
+    return [this, work](std::atomic<bool>& interrupt) {
       interrupt_ = &interrupt;
       work(interrupt);
-    });
+    };
+  }
+  py::object exception(const std::exception_ptr& by_signal) const {
     try {
       if (by_signal) std::rethrow_exception(by_signal);
       if (raised_) std::rethrow_exception(raised_);
@@ -85,26 +103,42 @@ class Watched {
     return py::none();
   }
 
- private:
-  py::object progress_;
+  std::shared_ptr<const py::object> progress_;
   std::atomic<bool>* interrupt_ = nullptr;
   std::exception_ptr raised_;
 };
 
+/// All that a search for an equilibrium uses.
+struct WatchedSearch {
+  OpenedScene scene;
+  Watched watched;
+  SolveRequest request;
+  AnswerPointer answer = nullptr;
+
+  void run(const std::atomic<bool>& interrupt) {
+    request.on_iteration = [this](const IterationRecord& r) {
+      watched.report(r.iteration, r.residual, r.scale);
+    };
+    answer = std::make_shared<Answer>(scene, request, interrupt);
+  }
+};
+
 /// Solves a scene on its own mesh, or on the mesh of the answer `mesh_of`. `progress` is called after each
-/// iteration with its number, the largest residual and the largest load [N]. Returns the answer, and the
-/// exception that ended the search.
+/// iteration with its number, the largest residual and the largest load [N]. Returns the answer, the
+/// exception that ended the search, and a function that waits for the answer of a search that still goes on
+/// after a signal; None: it has ended.
 py::tuple solve(const OpenedScene& scene, const std::vector<double>& start, const AnswerPointer& mesh_of,
                 bool with_mesh_errors, const py::object& progress) {
-  Watched watched(progress);
-  const SolveRequest request{
-      start, mesh_of ? mesh_of->scene() : nullptr, with_mesh_errors,
-      [&](const IterationRecord& r) { watched.report(r.iteration, r.residual, r.scale); }};
-  AnswerPointer answer;
-  const py::object ended_by = watched.run([&](const std::atomic<bool>& interrupt) {
-    answer = std::make_shared<Answer>(scene, request, interrupt);
-  });
-  return py::make_tuple(answer, ended_by);
+  const auto search = std::make_shared<WatchedSearch>(WatchedSearch{
+      scene, Watched(progress), {start, mesh_of ? mesh_of->scene() : nullptr, with_mesh_errors}});
+  std::function<void()> finish;
+  const py::object ended_by = search->watched.run_or_leave(
+      [search](const std::atomic<bool>& interrupt) { search->run(interrupt); }, finish);
+  if (!finish) return py::make_tuple(search->answer, ended_by, py::none());
+  return py::make_tuple(py::none(), ended_by, py::cpp_function([search, finish] {
+                          finish();
+                          return search->answer;
+                        }));
 }
 
 /// Computes a motion. `progress` is called after each step with the present time and the time of the end [s].

@@ -41,11 +41,19 @@ class NotConverged(NetloftError):
 
 
 class Interrupted(KeyboardInterrupt):
-    """A search that the user interrupted. `result` is the shape it had reached; None: there was none yet."""
+    """A search that the user interrupted. `result` is the shape it had reached; None: there was none yet. On large meshes,
+    asking for it waits until the step ends that the search was in."""
 
     def __init__(self, result: Any) -> None:
         super().__init__("interrupted" + ("" if result is None else "; .result has the shape so far"))
-        self.result = result
+        self._result = result  # or a function that waits for it
+
+    @property
+    def result(self) -> Any:
+        """The shape so far, or None."""
+        if callable(self._result):
+            self._result = self._result()
+        return self._result
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.result,)

@@ -197,9 +197,9 @@ class Scene(Tables):
         points = getattr(start, "points", start)
         points = points() if callable(points) else points
         points = [] if points is None else [float(c) for row in points for c in row]
-        answer, ended_by = scene._opened.solve(points, mesh_of and mesh_of._answer, bool(error), progress)
+        answer, ended_by, wait = scene._opened.solve(points, mesh_of and mesh_of._answer, bool(error), progress)
         if isinstance(ended_by, KeyboardInterrupt):
-            raise Interrupted(answer and Equilibrium(scene, answer)) from ended_by
+            raise Interrupted(_later(scene, wait) if wait else answer and Equilibrium(scene, answer)) from ended_by
         if ended_by is not None:
             raise ended_by
         result = Equilibrium(scene, answer)
@@ -250,6 +250,14 @@ def _as_toml(value: str) -> str:
     except tomllib.TOMLDecodeError:
         return toml(value)
     return value
+
+
+def _later(scene: Scene, wait: Callable[[], Any]) -> Callable[[], Equilibrium | None]:
+    def found() -> Equilibrium | None:
+        answer = wait()
+        return None if answer is None else Equilibrium(scene, answer)
+
+    return found
 
 
 def _restore(file: str, changes: tuple[str, ...]) -> Scene:

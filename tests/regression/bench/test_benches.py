@@ -27,6 +27,7 @@ COMMANDS = {  # what it is called with
     "design.py": (PROGRAM, LIBRARY, "--nodes", "100", "--steps", "2"),
     "shapes.py": (PROGRAM.parent / "hard_cases", "--count", "1"),
     "unpredictable.py": (PROGRAM,),
+    "surrogates.py": (PROGRAM.parent.parent / "python", "--designs", "1", "--most", "12", "--nodes", "150"),
     "in_python.py": (PROGRAM.parent.parent / "python", "--times", "1", "--solves", "3", "--moments", "1"),
     "optimum.py": (PROGRAM, LIBRARY, "--nodes", "100", "--starts", "1"),
     "motions.py": (PROGRAM, SOURCE, "--scenes", "pendulum", "--schemes", "newmark", "--accuracies", "1e-1"),

@@ -291,6 +291,36 @@ class Manners(unittest.TestCase):
         self.assertEqual(caught.exception.result.status, "interrupted")
         self.assertGreater(len(caught.exception.result.points), 10000)
 
+    def test_ctrl_c_does_not_wait_for_a_long_step(self):
+        @netloft.solver
+        def sleeper(problem):
+            """A step as long as one of a very large mesh"""
+            time.sleep(4)
+
+        sent = []
+        threading.Timer(0.5, lambda: (sent.append(time.monotonic()), os.kill(os.getpid(), signal.SIGINT))).start()
+        with self.assertRaises(netloft.Interrupted) as caught:
+            netloft.load("hanging-rope.toml").solve(solver=sleeper)
+        self.assertLess(time.monotonic() - sent[0], 2)
+        self.assertEqual(netloft.load("hanging-rope.toml").solve().status, "converged")  # meanwhile
+        self.assertEqual(caught.exception.result.status, "interrupted")
+        self.assertGreater(time.monotonic() - sent[0], 2)
+
+    def test_the_interpreter_may_end_during_a_step_that_was_left(self):
+        code = """if True:
+            import netloft, os, signal, threading, time
+            @netloft.solver
+            def sleeper(problem):
+                time.sleep(2)
+            threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
+            try:
+                netloft.load("hanging-rope.toml").solve(solver=sleeper, progress=lambda *numbers: None)
+            except netloft.Interrupted as interrupted:
+                print("interrupted")
+            """
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "interrupted\n", ""))
+
     def test_progress_may_end_a_solve(self):
         calls = []
 

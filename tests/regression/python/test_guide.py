@@ -24,7 +24,7 @@ class TheGuide(unittest.TestCase):
                     exec(compile(block, str(PAGE), "exec"), names)
             written = {path.name for path in Path(folder).iterdir()}
             os.chdir("/")
-        self.assertEqual(written, {"trawl.png", "trawl.html", "trawl.hdf", "faster.toml", "least-drag.toml"})
+        self.assertEqual(written, {"trawl.png", "trawl.html", "trawl.hdf", "faster.toml", "least-drag.toml", "heights.png"})
         self.assertEqual({row["status"] for row in names["table"].values()}, {"converged"})
 
 
