@@ -56,16 +56,17 @@ install(DIRECTORY gear-library DESTINATION share/netloft)
 install(DIRECTORY framework/guides DESTINATION share/doc/netloft PATTERN README.md EXCLUDE)
 install(FILES ${netloft_schema} DESTINATION share/netloft)
 install(FILES LICENSE DESTINATION share/doc/netloft RENAME copyright)
-# Licences of libraries that are linked into the program from archives (Debian keeps them there).
-foreach(archive libexpat1-dev libhdf5-dev libmumps-seq-dev libopenblas-serial-dev libscotch-dev libsuitesparse-dev libudunits2-dev)
+# Licences of libraries that are in the program from archives and headers (Debian keeps them there).
+foreach(archive libexpat1-dev libhdf5-dev libmumps-seq-dev libopenblas-serial-dev libscotch-dev libsuitesparse-dev libudunits2-dev
+        libboost-dev libcli11-dev libeigen3-dev libstb-dev nlohmann-json3-dev)
   if(EXISTS /usr/share/doc/${archive}/copyright)
     install(FILES /usr/share/doc/${archive}/copyright DESTINATION share/doc/netloft RENAME copyright-of-${archive})
     list(APPEND netloft_notices ${archive})
   endif()
 endforeach()
-# The package of Python contains the same files, and a wheel the shared libraries as well.
+# The package of Python contains the same files; make_wheel.py adds those of shared libraries.
 if(NETLOFT_PYTHON)
-  foreach(package IN LISTS netloft_notices ITEMS libmetis5 libgfortran5)
+  foreach(package IN LISTS netloft_notices ITEMS pybind11-dev)
     if(EXISTS /usr/share/doc/${package}/copyright)
       install(FILES /usr/share/doc/${package}/copyright DESTINATION lib/python3/dist-packages/netloft/licences COMPONENT python
               RENAME copyright-of-${package})

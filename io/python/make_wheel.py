@@ -38,6 +38,16 @@ def libraries_of(module):
     return {name: Path(path) for name, path in found.items() if not OF_THE_SYSTEM.fullmatch(name)}
 
 
+def notice_of(library):
+    """The package of Debian that a library belongs to, and the file with its licence."""
+    for path in (library, Path("/") / library.relative_to("/usr")):  # the packages of an older layout have it in /lib
+        found = subprocess.run(["dpkg", "-S", path], capture_output=True, text=True).stdout
+        if found:
+            owner = found.split(":")[0]
+            return owner, Path("/usr/share/doc") / owner / "copyright"
+    raise SystemExit(f"{library}: it would be in the wheel, and no package says its licence")
+
+
 def stage(options, folder):
     """Writes the package into a folder, and returns the folder of the package."""
     subprocess.run([options.cmake, "--install", options.build, "--prefix", folder / "all", "--component", "python"],
@@ -48,6 +58,8 @@ def stage(options, folder):
     (package / "libs").mkdir()
     for name, path in libraries_of(module).items():
         shutil.copy(path.resolve(), package / "libs" / name)
+        owner, notice = notice_of(path.resolve())
+        shutil.copy(notice, package / "licences" / f"copyright-of-{owner}")
     subprocess.run(["strip", "--strip-unneeded", module, *(package / "libs").iterdir()], check=True)
     shutil.copytree(options.build / "lib/netloft", package / "lib/netloft", ignore=shutil.ignore_patterns("kinsol.so", "arkode.so"))
     shutil.copytree(options.source / "gear-library", package / "share/netloft/gear-library", ignore=shutil.ignore_patterns("*.png"))

@@ -2,7 +2,6 @@
 #include "io/python/module/answer.hpp"
 
 #include "framework/assembler/reports.hpp"
-#include "framework/balance/statistics.hpp"
 #include "io/formats/work/interruptible_work.hpp"
 #include "io/program/session/session.hpp"
 #include "io/python/module/python_plugin.hpp"
@@ -49,7 +48,6 @@ Solution solve_from(runs::PreparedScene& scene, const std::vector<double>& start
 
 Answer::Answer(const OpenedScene& source, const SolveRequest& request, const std::atomic<bool>& interrupt)
     : started_(results::utc_now()), command_(source.command()) {
-  const Timed timed(seconds_);
   if (request.with_mesh_errors) command_.push_back("--error");
   const formats::InterruptibleWork reading(interrupt);
   scene_ = source.prepare(request.like.get());

@@ -57,9 +57,6 @@ class Answer {
   /// The last exception that a solver or a strategy in Python raised; nullptr if there was none.
   const std::exception_ptr& raised() const { return raised_; }
 
-  /// Wall time of all that was done to find it [s].
-  double seconds() const { return seconds_; }
-
   /// The residual over the unknowns at displacements u [N]. Throws std::invalid_argument if forces are not
   /// defined there, or if u has the wrong length.
   std::vector<double> residual(const std::vector<double>& u);
@@ -81,7 +78,6 @@ class Answer {
   std::vector<double> points_;
   std::vector<PartElements> elements_;
   std::string started_;
-  double seconds_ = 0;
   std::exception_ptr raised_;
   std::vector<std::string> command_;  // the command line that solves the same scene
 };

@@ -92,7 +92,6 @@ void bind_answers(py::module_& module) {
   answers.def_property_readonly("points", &points_of)
       .def_property_readonly("u", &displacements_of)
       .def_property_readonly("raised", &raised_by)
-      .def_property_readonly("seconds", &Answer::seconds)
       .def("elements", &elements_of)
       .def("residual", &residual_at, py::arg("u"))
       .def("tangent", &tangent_of)
