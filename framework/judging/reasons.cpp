@@ -100,7 +100,7 @@ std::string why_it_ended(netloft_outcome outcome, const StaticProblem& problem, 
       if (problem.last_factor().status == FactorStatus::out_of_memory)
         return "there is not enough memory, or room in files, to factorise the matrix";
       const auto column = problem.last_factor().column;
-      return "the tangent stiffness is singular" +
+      return "nothing resists some motion of the gear: the tangent stiffness is singular" +
              (column >= 0 ? ", as was first found at " +
                                 assembler.node_name(scene, assembler.numbering().node(Dof(column)))
                           : std::string());

@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 PIECES = ("codend-from-plan", "dead-weight-panel", "hanging-rope")  # scenes without a whole gear
-ATTEMPTS = {"coarse-to-fine": "coarse-to-fine:by=auto:restarts=0,then=tension/only", "tension-stages": "tension/stages", "direct": "direct",
+ATTEMPTS = {"coarse-to-fine": "coarse-to-fine:by=auto:restarts=0,then=tension/only:least_slack=0.33", "tension-stages": "tension/stages", "direct": "direct",
             "stiffness-steps": "stiffness-steps", "pseudo-time": "pseudo-time"}
 
 

@@ -44,6 +44,17 @@ InteriorPoint::Ending InteriorPoint::solve(std::span<double> u, double load) {
   return Ending::no_forces;
 }
 
+double InteriorPoint::slack_fraction(std::span<const double> u) {
+  members_.find_chords(u, w_);
+  double slack = 0, all = 0;
+  for (std::size_t e = 0; e < members_.size(); ++e) {
+    const double length = members_[e].number * members_[e].rest_length;
+    all += length;
+    if (strain(e) < 0) slack += length;
+  }
+  return slack / all;
+}
+
 /// Sets a first point that satisfies (2) of interior_point.hpp for the given u, but not (1).
 void InteriorPoint::begin(std::span<const double> u) {
   is_indefinite_ = false;

@@ -35,6 +35,7 @@ class InteriorPoint {
   /// The options, which strategies.cpp explains.
   struct Parameters {
     double to_boundary = 0;  // (6)
+    double least_slack = 0;  // slack_fraction() below which the strategy declines
     /// A step leaves this fraction of the way to the boundary of K. A taut member starts with z₀ − ‖z̄‖ equal
     /// to it.
     double room() const { return 1 - to_boundary; }
@@ -46,6 +47,9 @@ class InteriorPoint {
 
   /// Solves from u, which it changes. `load` [N], the sum of the forces that drive the gear, is the first μ.
   Ending solve(std::span<double> u, double load);
+
+  /// Fraction of the length of all members that is slack at u.
+  double slack_fraction(std::span<const double> u);
 
   double largest_residual() const { return largest_of({residual_.data(), members_.unknowns()}); }
   double mu() const { return mu_; }

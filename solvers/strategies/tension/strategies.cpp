@@ -37,6 +37,11 @@ void Only::describe(StrategyTable<Only>& t) {
          "than that "
          "ends the method",
          {.lo = 0.1, .hi = 0.9999, .fallback = 0.98});
+  t.real("least_slack", &Parameters::least_slack, "1",
+         "fraction of the members that must be slack at the start; with fewer, the solver finds the slack "
+         "ones in less "
+         "iterations than this method needs",
+         {.lo = 0, .hi = 1, .fallback = 0});
 }
 
 void Only::run(const Parameters& parameters, Search& search) {
@@ -50,6 +55,10 @@ void Only::run(const Parameters& parameters, Search& search) {
           return;
         }
         InteriorPoint method(parameters, members);
+        if (method.slack_fraction(there) < parameters.least_slack) {
+          why_not = "few of its members are slack at the start";
+          return;
+        }
         const InteriorPoint::Ending ending = method.solve(there, search.load());
         is_start = ending == InteriorPoint::Ending::converged ||
                    (ending == InteriorPoint::Ending::no_step && method.is_within(kOnlyAStart));
