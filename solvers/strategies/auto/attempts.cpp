@@ -33,7 +33,7 @@ const Row kTable[] = {
     // The strategy auto itself solves the coarser mesh, starting from a still coarser mesh if there is one.
     // On the finer mesh, the strategy has to find out which members are slack. Newton's method does this
     // member by member, tension/only does it for all members at once.
-    // Where the coarser mesh leaves few members slack, Newton's method is quicker: in the panel of
+    // If the coarser mesh leaves few members slack, Newton's method is quicker: in the panel of
     // fig. 6a, with 16 to 20 % slack, it takes 11 factorisations, with tension/only 36; in trawls, with 55 to
     // 79 %,
     // 25 to 155 and 21 to 73.
