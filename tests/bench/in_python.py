@@ -79,7 +79,7 @@ def main():
     parser.add_argument("package", type=Path)
     parser.add_argument("--times", type=int, default=10)
     parser.add_argument("--solves", type=int, default=10000)
-    parser.add_argument("--moments", type=int, default=40)
+    parser.add_argument("--moments", type=int, default=10)
     options = parser.parse_args()
     package = str(options.package.resolve())
     sys.path.insert(0, package)
