@@ -14,7 +14,7 @@ ResultFile::ResultFile(std::filesystem::path final_path, std::filesystem::path p
 void ResultFile::begin(const Mesh& mesh, std::vector<FieldSpec> changing, std::span<const StaticField> fixed,
                        std::size_t states) {
   silence_hdf5();
-  if (grid_) throw std::invalid_argument("the mesh of a result file is given once");
+  if (grid_) throw std::invalid_argument("begin() was called twice: a result file has one mesh");
   with_context("cannot write " + part_path().string(),
                [&] { grid_.emplace(part_.id(), mesh, std::move(changing), fixed, states); });
 }

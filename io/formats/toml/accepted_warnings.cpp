@@ -73,7 +73,7 @@ void say_useless(const AcceptedWarning& entry, std::size_t meant, Diagnostics& d
   const std::string path = entry.path + ".warning: ";
   if (meant == 0)
     diagnostics.warning(entry.place, path + "no warning begins with \"" + entry.words + "\"",
-                        "leave this entry of accept out, or write the words with which the warning begins");
+                        "leave out this entry of `accept`, or write the words that begin the warning");
   else
     diagnostics.warning(
         entry.place, path + std::to_string(meant) + " warnings begin with \"" + entry.words + "\"",

@@ -108,9 +108,10 @@ void write_catch(SceneDraft& to) {
                        .add("direction", to.heading())
                        .add("front", first_front(to))
                        .text());
-  to.note({}, "the catch",
-          "here, netting behind the front of the catch has drag like other netting; FEMNET omits it, and "
-          "turns the drag of other netting towards x");
+  to.note(
+      {}, "the catch",
+      "here, netting behind the front of the catch has drag like other netting; FEMNET gives it none, and "
+      "turns all other drag of netting towards x");
 }
 
 }  // namespace netloft::scenes::femnet

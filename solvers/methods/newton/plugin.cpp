@@ -7,7 +7,7 @@ netloft::Outcome Newton::solve(const Parameters& parameters, Problem& problem) {
   return parameters.method == 0 ? solve_globalised(parameters, problem) : solve_classic(problem);
 }
 
-NETLOFT_PLUGIN("newton", "0.1.0", "Newton's method, as published and globalised") {
+NETLOFT_PLUGIN("newton", "0.1.0", "Newton's method, classic or globalised") {
   auto& newton = plugin.solver<Newton>(
       "newton", "Newton's method with a line search on the energy, or the method of the paper");
   newton.choice(

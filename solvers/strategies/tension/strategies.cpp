@@ -47,16 +47,16 @@ void Only::describe(StrategyTable<Only>& t) {
 void Only::run(const Parameters& parameters, Search& search) {
   if (!(search.load() > 0)) return search.decline("no load acts on the gear");
   bool is_start = false;
-  const char* why_not = "its interior point did not converge";
+  const char* why_not = "the interior-point method did not converge";
   Displacements u = search.with_members(
       {.name = "tension only"}, search.start(), [&](netloft_members& members, std::span<double> there) {
         if (!some_can_be_slack(members)) {
-          why_not = "its members resist compression as they do tension";
+          why_not = "all members resist compression as they do tension";
           return;
         }
         InteriorPoint method(parameters, members);
         if (method.slack_fraction(there) < parameters.least_slack) {
-          why_not = "few of its members are slack at the start";
+          why_not = "few members are slack at the start";
           return;
         }
         const InteriorPoint::Ending ending = method.solve(there, search.load());
