@@ -58,6 +58,17 @@ TEST(InteriorPoint, EndsWhereNothingIsBorneByCompression) {
   EXPECT_NEAR(found.positions[5], -2 * (1 + 100 / 1e4), 2e-6);
 }
 
+// Both ropes of the sketch are 6.5 m long; made 10 m long, the second one is slack.
+TEST(InteriorPoint, CountsSlackMembersByTheirLength) {
+  Scene scene = two_ropes(1e4);
+  for (const double l0 : {2.0, 10.0}) {
+    scene.parts[1].data["rest_length"] = {l0};
+    TakenAsMembers taken(scene, {});
+    InteriorPoint method(defaults<Only>(), taken.problem.interface());
+    EXPECT_DOUBLE_EQ(method.slack_fraction(taken.u), l0 > 6.5 ? 10.0 / 13 : 0.0);
+  }
+}
+
 TEST(InteriorPoint, LeadsAPanelThatStartsSlackToWhereItHangs) {
   Scene panel = sample::hanging_panel(8, 30);
   for (Part& part : panel.parts) part.parameters["twine.EA_compression"] = 0.0;
