@@ -29,8 +29,8 @@ const ElementFamily& family_of_part(std::uint32_t part,
       families, [&](const auto& family) { return std::ranges::count(family->parts(), part) > 0; });
 }
 
-/// Adds a family for the drag of each family that is in water that a flow (ext/flow.h) changes. `bases`:
-/// these families, with their plans.
+/// If a flow (ext/flow.h) changes the water of a family in `bases`, adds a family that evaluates the drag in
+/// the changed water.
 void add_drag_in_flows(const Scene& scene,
                        const std::vector<std::pair<const FamilyPlan*, const ElementFamily*>>& bases,
                        std::vector<std::unique_ptr<ElementFamily>>& families) {
@@ -44,8 +44,8 @@ void add_drag_in_flows(const Scene& scene,
 }
 
 /// Makes the families (all elements of one type each) that have active terms, in the order of the plan, then
-/// those for the drag in flows. The nodes of their shared unknowns are numbered after the nodes of the scene
-/// and those of the bodies' rotations.
+/// the families for the drag in flows. The nodes of unknowns that a part shares are numbered after the nodes
+/// of the scene and the nodes of the bodies' rotations.
 std::vector<std::unique_ptr<ElementFamily>> make_families(const Scene& scene, const ScenePlan& plan) {
   std::vector<std::unique_ptr<ElementFamily>> families;
   std::vector<std::pair<const FamilyPlan*, const ElementFamily*>> bases;
@@ -103,8 +103,7 @@ struct Assembler::Parts {
 };
 
 /// The families of a scene (all elements of one type each), with all nodes that they use and the layout of
-/// matrix values. If `tiles_like` is not nullptr, its tiles are used again: its families have the same
-/// layout.
+/// matrix values. If another assembler has the same layout, its tiles `tiles_like` are used again.
 struct Assembler::Elements {
   Elements(const Scene& scene, const ScenePlan& plan, const Assembler* like)
       : families(make_families(scene, plan)), nodes(with_global_nodes(scene, families)) {
@@ -182,7 +181,7 @@ std::string Assembler::node_name(const Scene& scene, std::uint32_t node) const {
 
 namespace {
 
-/// For unknowns that all elements of a scene part share: their node, by type and part.
+/// Returns the nodes of the unknowns that the elements of a part share, by element type and part.
 std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> shared_nodes(const Assembler& assembler) {
   std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> nodes;
   for (const auto& family : assembler.families())

@@ -18,8 +18,8 @@ class ElementReports;
 /// freedom ("dofs") have the order of `numbering()`. An evaluation allocates no memory.
 class Assembler : public Placement {
  public:
-  /// If the elements of another assembler, `like`, connect the same nodes, its layout and tiles are used
-  /// again, which saves half of the time. `like` may be destroyed afterwards.
+  /// If the elements of another assembler, `like`, connect the same nodes, the layout and the tiles of `like`
+  /// are used again, which halves the time of the construction. `like` may be destroyed afterwards.
   Assembler(const Scene& scene, const ScenePlan& plan, int threads, const Assembler* like = nullptr);
   ~Assembler();
   Assembler(const Assembler&) = delete;
@@ -45,20 +45,20 @@ class Assembler : public Placement {
   /// The name of a node: "net node 17", or "catch front" for unknowns that the elements of a part share.
   std::string node_name(const Scene& scene, std::uint32_t node) const;
 
-  /// Sets the unknowns that the elements of a part share, to their values on another mesh `from` of the same
-  /// gear at positions x. The unknowns are entries of the displacements u.
+  /// Writes the unknowns that the elements of a part share into the displacements u. Their values are those
+  /// of another mesh of the same gear, whose assembler is `from` and whose positions are x.
   void take_shared_unknowns(const Assembler& from, std::span<const double> x, std::span<double> u) const;
 
-  /// Accepts the positions x: every element stores what it has to remember of them, for instance the place
-  /// where it sticks to the ground. An evaluation uses these memories and does not change them. The
-  /// constructor stores the memories of the initial positions. Returns false and changes nothing if an
-  /// element could not be evaluated: see fault().
+  /// Accepts the positions x: every element updates its memory, for instance of the place where it sticks to
+  /// the ground. An evaluation reads the memories and does not change them. The constructor stores the
+  /// memories of the initial positions. Returns false and changes nothing if an element could not be
+  /// evaluated: see fault().
   bool remember(std::span<const double> x, const Kinematics& motion = {});
   /// The memories of all elements in one array, so that a run can save them and a later run restore them.
   std::vector<double> memory() const;
   void set_memory(std::span<const double> kept);
   /// Updates the rates at which members (twines, ropes) stretch, after an accepted step that ends at `time`
-  /// [s]. The damping of members depends on these rates. See (3) of mean_of_members.hpp, whose ν is `memory`.
+  /// [s]. The damping of members depends on these rates. See (3) of mean_of_members.hpp, where ν is `memory`.
   /// Returns false if an element fails to write its members.
   bool remember_stretch(const StepEnds& ends, double memory, double time);
 

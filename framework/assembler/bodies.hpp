@@ -12,17 +12,17 @@ struct BodyMotion {
 };
 
 /// The matrix values of one evaluation, to which hand_on() adds the values of carried nodes. `damping` and
-/// `mass` are the sums of C and M in (4) below over the elements at carried nodes; if both are nullptr, (4)
-/// is left out.
+/// `mass` are the sums of C and M in (4) below over the elements at carried nodes; both are nullptr if (4) is
+/// not needed.
 struct BodyMatrices {
   double* values = nullptr;
   const double *damping = nullptr, *mass = nullptr;
 };
 
-/// Nodes that rigid bodies carry. Elements treat a carried node at x like any other; its residual f and its
-/// matrix values K are then passed on to its body. X is the origin of the body, ψ its rotation vector, ℓ a
-/// length (its arm), q = ℓψ the unknowns of its rotation, and r the position of the node in the body's own
-/// axes:
+/// Nodes that rigid bodies carry. Elements treat a carried node at x like any other; the residual f and the
+/// matrix values K of the node are then passed on to its body. X is the origin of the body, ψ its rotation
+/// vector, ℓ a length (its arm), q = ℓψ the unknowns of its rotation, and r the position of the node in the
+/// body's own axes:
 ///   x = X + R(ψ) r,   ẋ = Ẋ + G q̇,   ẍ = Ẍ + G q̈ + Ġ q̇,   G = ∂x/∂q                                     (1)
 ///   f_X += f,   f_q += Gᵀ f                                                                             (2)
 ///   K ← [I G]ᵀ K [I G],   K_qq += cu Σ_i f_i ∂²x_i/∂q²    (the geometric term)                          (3)

@@ -35,9 +35,10 @@ void add_convex_parts(std::size_t n, bool symmetric, std::size_t count, TileSums
   }
 }
 
-/// Adds a matrix of a term other than its exact tangent: the convex part, the metric (ext/convex.h), or, if
-/// the matrix is symmetric, the symmetric part of an unsymmetric tangent. A term that offers the convex part
-/// or the metric evaluates it itself; otherwise the matrix is derived from the exact tangent of the term.
+/// Adds the matrix of a term if it is not the exact tangent: the convex part, the metric (ext/convex.h), or,
+/// if the matrix is symmetric, the symmetric part of an unsymmetric tangent. A term that offers the convex
+/// part or the metric computes this matrix itself; otherwise the matrix is derived from the exact tangent of
+/// the term.
 int call_matrix_term(const ElementFamily& f, const netloft_term& term, netloft_tile& t, MatrixKind kind,
                      TileSums& sums) {
   const bool symmetric = term.traits & NETLOFT_SYMMETRIC;
@@ -107,8 +108,8 @@ int TermCalls::call_term(const ElementFamily& f, const netloft_term& term, netlo
 }
 
 /// Whether a term contributes to the matrix. Constant forces have no tangent. TangentChoice::elastic leaves
-/// out the forces without an energy, but keeps inertia, because the matrix of a time step would be singular
-/// without it.
+/// out forces that have no potential (drag, pressure). It keeps inertia, without which the matrix of a time
+/// step would be singular.
 bool TermCalls::counts_in_matrix(const netloft_term& term) const {
   if (term.traits & NETLOFT_CONSTANT) return false;
   return (term.traits & (NETLOFT_CONSERVATIVE | NETLOFT_READS_ACCELERATION)) ||

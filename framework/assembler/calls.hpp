@@ -7,16 +7,16 @@
 namespace netloft {
 
 /// Calls the terms of a family (all elements of one type) on a tile of 64 elements, and adds the results to
-/// the sums that a request asks for. If a term does not offer the requested matrix, it is derived from the
-/// exact tangent of the term (projection.hpp).
+/// the sums that a request asks for. If a term does not offer the requested matrix, the matrix is derived
+/// from the exact tangent of the term (projection.hpp).
 class TermCalls {
  public:
   /// `symmetric`: the matrix holds its lower triangle only.
   TermCalls(TangentChoice tangent, bool symmetric) : tangent_(tangent), symmetric_(symmetric) {}
 
-  /// Calls either the terms that have an energy (`with_energy`) or all other terms. Callers begin with the
-  /// terms that have an energy, so that its gradient has the same bits whether or not the other terms follow.
-  /// Returns the first status other than NETLOFT_OK.
+  /// Calls either the conservative terms (`with_energy`) or all other terms. Callers begin with the
+  /// conservative terms, so that the gradient of the energy has the same bits whether or not the other terms
+  /// follow. Returns the first status other than NETLOFT_OK.
   int call(const ElementFamily& family, bool with_energy, netloft_tile& tile, const Request& request,
            TileSums& sums) const;
 

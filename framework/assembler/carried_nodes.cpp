@@ -4,9 +4,9 @@
 namespace netloft {
 
 /// The geometric term of a body, (3) of bodies.hpp, contains forces, which are therefore evaluated even if
-/// the request does not ask for them. The forces of the last evaluation at the same x could be reused. This
-/// would save less than 0.2 % of a search for an equilibrium with otter boards (83-112-at-sea-66m, with 2000
-/// and 8000 nodes) and 1.4 % of a motion with them (dynamics/83-112-in-motion).
+/// the request does not ask for them. Reuse of the forces of the last evaluation at the same x would save
+/// less than 0.2 % of a search for an equilibrium with otter boards (83-112-at-sea-66m, with 2000 and 8000
+/// nodes) and 1.4 % of a motion with them (dynamics/83-112-in-motion).
 bool CarriedNodes::pass_on(std::span<const double> x, const Request& request) {
   if (bodies_.empty()) return true;
   double* residual = request.residual;
@@ -29,8 +29,8 @@ bool CarriedNodes::pass_on(std::span<const double> x, const Request& request) {
   return true;
 }
 
-/// Evaluates the damping matrix C and the mass matrix M of (4) of bodies.hpp. They are needed because the
-/// velocities and accelerations of carried nodes depend on the rotation of their body.
+/// Evaluates the damping matrix C and the mass matrix M of (4) of bodies.hpp. The matrices are needed because
+/// the velocities and accelerations of carried nodes depend on the rotation of their body.
 bool CarriedNodes::find_rate_matrices(std::span<const double> x, Request request, BodyMatrices& matrices) {
   request.residual = nullptr;
   request.matrix = MatrixKind::exact;

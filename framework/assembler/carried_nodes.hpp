@@ -7,7 +7,7 @@ namespace netloft {
 
 /// Passes the forces and matrices of carried nodes, which move with a rigid body, on to this body, by (2) to
 /// (4) of bodies.hpp. If (3) or (4) needs forces or matrices that the request does not contain, the elements
-/// at these nodes are evaluated again.
+/// at carried nodes are evaluated again.
 class CarriedNodes {
  public:
   /// `bodies` and `elements` have to outlive this object; `dofs` is the number of all degrees of freedom.

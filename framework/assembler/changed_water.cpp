@@ -32,8 +32,8 @@ bool is_in_changed_water(const FamilyPlan& family, const TermPlan& term) {
   return family.flow && sees_changed_water(term.traits);
 }
 
-/// The water at the corners of the elements of a tile, which the flow changes. Each row has 64 numbers and
-/// the index 3 corner + axis.
+/// The changed water at the corners of the elements of a tile. Row 3 corner + axis of an array has 64
+/// numbers, one per element.
 struct ChangedWater::Places {
   double velocity[kRowsOfElement * kTileLanes], velocity_dz[kRowsOfElement * kTileLanes];
   double by_unknown[3][kRowsOfElement * kTileLanes], weight[3][kRowsOfElement * kTileLanes];

@@ -4,7 +4,7 @@
 
 namespace netloft {
 
-/// Whether a ChangedWater evaluates a term of a family, because a flow changes the water there.
+/// Whether a flow changes the water of a term of a family, so that a ChangedWater evaluates the term.
 bool is_in_changed_water(const FamilyPlan& family, const TermPlan& term);
 
 /// The drag of the elements of a family in water that a flow (ext/flow.h) changes. With the residual r(x, v,
@@ -22,8 +22,8 @@ class ChangedWater {
   ChangedWater(const Scene& scene, const FamilyPlan& plan, const ElementFamily& base,
                const ElementFamily& flow);
 
-  /// The type of these elements: it has the terms of the base that depend on the water, and the unknowns of
-  /// the flow.
+  /// The element type for the changed water: the terms of the base that depend on the water, and the unknowns
+  /// of the flow.
   const ElementType& type() const { return type_; }
   const ElementFamily& base() const { return base_; }
   /// The node of the unknowns of the flow.

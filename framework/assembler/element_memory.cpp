@@ -16,8 +16,8 @@ bool remembers(const ElementFamily& family, bool ground_passes) {
   });
 }
 
-/// Calls the terms that have a memory, for a family (all elements of one type), so that they write what the
-/// elements have to remember.
+/// Calls the terms of a family (all elements of one type) that have a memory, so that they write the next
+/// state of the elements.
 bool remember_family(TileEvaluator& elements, std::size_t family, std::span<const double> x,
                      const Kinematics& motion) {
   const ElementFamily& f = *elements.tiles().families[family];

@@ -15,8 +15,8 @@ class TileEvaluator;
 /// under the gear; terms that read the ground then need no memory.
 std::vector<Memory> make_memories(const ElementTiles& tiles, bool ground_passes);
 
-/// Lets all elements store their state at positions x (over all dofs), which have become those of the last
-/// accepted step. Returns false if an element could not be evaluated; then nothing has changed.
+/// Lets all elements store their state at the positions x (over all dofs) at the end of an accepted step.
+/// Returns false and changes nothing if an element could not be evaluated.
 bool remember(TileEvaluator& elements, std::span<const double> x, const Kinematics& motion);
 
 /// Returns all numbers that elements remember: first the states of all families, then the stretch rates of

@@ -55,8 +55,8 @@ ElementFamily::~ElementFamily() {
 namespace {
 
 /// Calls a function of a plugin on a tile. The fields of the tile that the host reads afterwards are
-/// restored, whatever the plugin wrote there. Returns OK, OUTSIDE_DOMAIN or ERROR. In the last two cases, the
-/// message memory of the tile holds a sentence.
+/// restored, whatever the plugin wrote there. Returns OK, OUTSIDE_DOMAIN or ERROR. Unless it is OK, the
+/// message of the tile is a sentence about the failure.
 template <class Function>
 int call_on_tile(const CallFrame& frame, netloft_tile& tile, Function&& function) {
   const std::uint32_t first = tile.first, count = tile.count;
@@ -237,9 +237,9 @@ void ElementFamily::create(const Scene& scene) {
         type_->type + " element " + std::to_string(e - part_begin_[part_[e]]) + " is refused: " + message}});
 }
 
-/// Makes one node for each part, for the unknowns that all elements of the part share. Coordinates of the
-/// node that are not unknowns are held: those beyond the number of unknowns, unknowns whose parameter `needs`
-/// is zero, and all of them if no term is active.
+/// Makes one node for each part. The coordinates of the node are the unknowns that all elements of the part
+/// share. Coordinates are held if there are fewer unknowns, if the parameter `needs` of the unknown is zero,
+/// or if no term is active.
 void ElementFamily::gather_globals(const Scene& scene, std::uint32_t first_node) {
   const auto& globals = type_->globals;
   for (std::uint32_t p = 0; p < parts_.size() && !globals.empty(); ++p) {

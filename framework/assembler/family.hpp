@@ -36,8 +36,8 @@ class ElementFamily {
   const ElementType& type() const { return *type_; }
   std::size_t size() const { return part_.size(); }
   int nodes_per_element() const { return type_->nodes(); }
-  /// The nodes of an element, including the rotation of its body and, last, the node of the unknowns that its
-  /// part shares.
+  /// Number of nodes of an element, including the node for the rotation of its body and, as the last one, the
+  /// node for unknowns that its part shares, if it has them.
   int all_nodes_per_element() const { return type_->dofs() / 3; }
   std::uint32_t node(std::size_t element, int corner) const {
     assert(element < size() && corner >= 0 && corner < all_nodes_per_element());
@@ -52,8 +52,8 @@ class ElementFamily {
   /// First element of each part, and one past the last.
   const std::vector<std::size_t>& part_begin() const { return part_begin_; }
   const void* self() const { return self_; }
-  /// If these elements are those of another family once more, with only their drag in water that a flow
-  /// changes: that family; otherwise nullptr.
+  /// The family whose drag these elements evaluate once more, in water that a flow changes; nullptr if this
+  /// is an ordinary family.
   const ElementFamily* repeated() const;
   /// The arm of the body to which an element belongs: the length that multiplies rotations, so that the
   /// unknowns are lengths [m].
@@ -83,12 +83,12 @@ class ElementFamily {
   const std::vector<GlobalNode>& global_nodes() const { return global_nodes_; }
 
   const std::vector<netloft_term>& active_terms() const { return terms_; }
-  /// The terms that act only if the gear moves. A static analysis needs them only for a matrix that has
-  /// derivatives with respect to velocities or accelerations.
+  /// The terms that act only if the gear moves. A static analysis needs them only for derivatives of the
+  /// forces with respect to velocities or accelerations.
   const std::vector<netloft_term>& terms_of_motion() const { return terms_of_motion_; }
   /// One watch for each law that the elements call.
   const std::vector<std::unique_ptr<LawWatch>>& law_watches() const;
-  /// Whether some active term has this trait, which declares that it reads an input of the host.
+  /// Whether an active term has `trait`. Such traits declare which inputs of the host a term reads.
   bool reads(std::uint32_t trait) const {
     for (const auto& term : terms_)
       if (term.traits & trait) return true;

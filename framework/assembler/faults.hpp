@@ -20,7 +20,7 @@ std::string place_of(const ElementFault& fault, const ElementFamily& family, con
 std::string sentence_of(const ElementFault& fault, const ElementFamily& family, const Scene& scene);
 
 /// Stores the fault with the lowest element number among the tiles of one thread. The caller reports the
-/// lowest over all threads, which does not depend on the number of threads.
+/// lowest element number of all threads, which does not depend on the number of threads.
 class FaultNote {
  public:
   /// Gives the tile memory for an error message.

@@ -8,8 +8,8 @@ namespace netloft {
 /// work in the world frame; afterwards, their residuals r and matrix blocks K_ab (of nodes a and b) are
 /// rotated.
 ///   x = x₀ + Q u,   r ← Qᵀ r,   K_ab ← Q_aᵀ K_ab Q_b                (1)
-/// The columns of Q are the axes of the three coordinates u of a node, some of which are held. Q is constant,
-/// so that the tangent stays exact.
+/// The columns of Q are the axes of the three coordinates u of a node; some of the coordinates are held. Q is
+/// constant, so that the tangent stays exact.
 class Frames {
  public:
   Frames(const Scene& scene, const Numbering& numbering, const NodeBlocks& blocks, bool symmetric);

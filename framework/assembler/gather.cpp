@@ -122,8 +122,8 @@ void Gatherer::gather_current(const Tiling& tiling, std::size_t tile, double tim
 
 /// Adds the waves to the gathered current at the nodes of a tile. Elements receive the derivative of the
 /// velocity with z only (`current_dz`), so that the tangent contains no horizontal change of the waves. The
-/// missing part is the slope of the drag times k a ω h, with wave number k, amplitude a, angular frequency ω
-/// and step length h. It is small compared with inertia.
+/// horizontal change that is left out is the slope of the drag times k a ω h, with wave number k, amplitude
+/// a, angular frequency ω and step length h. It is small compared with inertia.
 void Gatherer::gather_waves(const Tiling& tiling, std::size_t tile, double time, TileInputs& w) const {
   for (std::size_t node = 0; node < static_cast<std::size_t>(tiling.family->nodes_per_element()); ++node)
     for (std::size_t lane = 0; lane < tiling.lanes(tile); ++lane) {

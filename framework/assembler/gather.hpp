@@ -16,9 +16,9 @@ namespace netloft {
 /// The inputs of the elements of one tile, in rows of 64 numbers. The array of an input is empty if the scene
 /// has no such input.
 struct TileInputs {
-  std::vector<double> x, x_low;             // positions [m]; digits of them that double precision rounds off
-  std::vector<double> v, a;                 // [m/s], [m/s²]; empty if everything is at rest
-  std::vector<double> current, current_dz;  // [m/s], [1/s]; empty in still water
+  std::vector<double> x, x_low;                     // positions [m]; digits that rounding removes from x
+  std::vector<double> v, a;                         // [m/s], [m/s²]; empty if everything is at rest
+  std::vector<double> current, current_dz;          // [m/s], [1/s]; empty in still water
   std::vector<double> water_acceleration, surface;  // [m/s²], [m]; empty without waves
   std::vector<double> bed;                          // bed per node: height, slopes and second derivatives
   // Data of extensions of the plugin interface for the family that receives the tile.
@@ -42,8 +42,8 @@ class Gatherer {
   /// Gathers all inputs that some family of a group reads.
   void gather(const FamilyGroup& group, std::size_t tile, std::span<const double> x, const Kinematics& motion,
               TileInputs& inputs) const;
-  /// Makes the tile that one family of the group receives. Extension data are filled in, but not yet attached
-  /// to the tile. The caller attaches them, and adds the elements' memory and a buffer for messages.
+  /// Makes the tile that one family of the group receives. Extension data are filled in, but the caller
+  /// attaches them to the tile, and adds the elements' memory and a buffer for messages.
   netloft_tile make_tile(const ElementFamily& family, std::size_t tile, const Kinematics& motion,
                          TileInputs& inputs) const;
   bool ground_passes() const { return ground_passes_; }

@@ -27,8 +27,8 @@ struct LawUse {
 };
 
 /// Stands between the elements and a law, so that an error message can name the law if it crashes or breaks a
-/// rule of the plugin interface. Between begin() and end(), a watch also sums for each range of the law how
-/// much of the gear is inside the range, and how much outside. During this time, only one thread may call it.
+/// rule of the plugin interface. Between begin() and end(), a watch also sums, for each range of the law, how
+/// much of the gear is inside and outside the range. During this time, only one thread may call the law.
 class LawWatch {
  public:
   /// `parameters` must be valid and outlive this object.
@@ -49,8 +49,8 @@ class LawWatch {
   bool watches_ = false;
 };
 
-/// The value of a quantity (NETLOFT_REYNOLDS …) for one element (`lane`) of a tile of flows, as a law of this
-/// kind defines it.
+/// The value of a quantity (NETLOFT_REYNOLDS …) for one element (`lane`) of a tile of flows. Its definition
+/// depends on the `kind` of the law.
 double flow_quantity(std::uint32_t kind, std::uint32_t quantity, const netloft_law_tile& flow,
                      std::size_t lane);
 

@@ -20,7 +20,7 @@ struct Layout {
 
 using Families = std::span<const std::unique_ptr<ElementFamily>>;
 
-/// `nodes`: all nodes, with those of rotations and shared unknowns.
+/// `nodes`: the nodes of the scene, of rotations and of shared unknowns.
 std::shared_ptr<const Layout> make_layout(Families families, const Scene& nodes, bool symmetric);
 
 /// Whether `layout`, which was made for the families `others`, also fits `families` and their nodes.

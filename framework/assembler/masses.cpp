@@ -23,8 +23,8 @@ double largest_lane(std::span<const double> lanes) {
   return largest;
 }
 
-/// Factor from the coordinate of an element in row `row` to the unknown: for rotations, the arm of the body
-/// (metres per radian), otherwise 1.
+/// The unknown in row `row`, divided by the coordinate that the element sees: the arm of the body (metres per
+/// radian) for rotations, otherwise 1.
 double turn_factor(const ElementFamily& f, std::size_t element, std::size_t row) {
   return row / 3 == 1 ? f.arm(element) : 1;
 }

@@ -9,7 +9,7 @@
 namespace netloft {
 
 /// Mean forces over a time step for all families (all elements of one type each), as mean_of_members.hpp and
-/// mean_of_energy.hpp define them. Also stores the rates at which members (twines, ropes) were stretched.
+/// mean_of_energy.hpp define them. Also stores the rates at which members (twines, ropes) stretch.
 class MeanForces {
  public:
   /// `are_used`: whether the integrator uses mean forces; if not, no memory is allocated.
@@ -18,8 +18,8 @@ class MeanForces {
   StepTile make_step_tile() const;
   /// Gathers the positions at the ends of a step.
   void gather(const Tiling& tiling, std::size_t tile, const StepEnds& ends, StepTile& step) const;
-  /// Corrects the sums of terms that have an energy, evaluated at the middle of a step: replaces forces by
-  /// the mean forces of the step, and tangents by the derivatives of the mean forces. Returns the first
+  /// Corrects the sums of conservative terms, which were evaluated in the middle of a step: replaces forces
+  /// by the mean forces of the step, and tangents by the derivatives of the mean forces. Returns the first
   /// status other than NETLOFT_OK.
   int add(std::size_t family, const netloft_tile& tile, const Request& request, TileSums& sums,
           StepTile& step) const;

@@ -36,7 +36,8 @@ void take_out_rigid_motion(const double* x, std::size_t nodes, double* moves) {
   }
 }
 
-/// Quantities of (1) in mean_of_energy.hpp for a term of an element. No correction is needed if μ is zero.
+/// Quantities of (1) in mean_of_energy.hpp for a term of an element. If μ is zero, the force needs no
+/// correction.
 struct Lane {
   double way[12] = {}, force[12] = {}, later[12] = {}, g[12] = {};  // Δ, ∇E(x), ∇E(x₁), P Δ
   double work = 0, square = 0, mu = 0;                              // ∇E·Δ, g·g, μ

@@ -55,8 +55,8 @@ struct MeanOfMember {
 };
 
 /// If the rest length changes, (4) of mean_of_members.hpp replaces (1) of mean_tension.hpp. The rest length
-/// in the middle of the step must not be used for the whole step: if more rope is paid out in the step than
-/// the rope is stretched, the rope would seem slack at the beginning.
+/// in the middle of the step must not be used for the whole step: if more rope is paid out than the rope is
+/// stretched, it would seem slack at the beginning of the step.
 MeanOfMember mean_of(const MemberOfStep& m, double before, double after) {
   if (!m.grows())
     return {mean_tension(m.middle, before, after), mean_stiffness(m.middle, before, after), after - before,
@@ -70,8 +70,7 @@ MeanOfMember mean_of(const MemberOfStep& m, double before, double after) {
   return {{mean.T, mean.slope / L1}, {stiff.k / L, stiff.slope / (L * L1)}, L * (late - early), L / L1};
 }
 
-/// The difference between the mean force of a member and its force at the middle of the step, and the same
-/// for the tangent.
+/// The mean force of a member minus its force in the middle of the step, and the same difference of tangents.
 struct Correction {
   SpaceVector force;
   Eigen::Matrix3d slope;

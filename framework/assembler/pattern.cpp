@@ -13,8 +13,8 @@ namespace netloft {
 
 namespace {
 
-/// Adds the pairs of nodes that bodies couple. The nodes of a body (origin and rotation) are coupled to all
-/// neighbours of its points, and its points are neighbours of each other.
+/// Adds the pairs of nodes that bodies couple. The origin and the rotation of a body are coupled to all
+/// neighbours of the body's points, and the points of one body are neighbours of each other.
 template <class Add>
 void join_bodies(const Scene& scene, const Add& add, const std::vector<std::vector<std::uint32_t>>& near) {
   if (scene.bodies.empty()) return;

@@ -42,15 +42,15 @@ class Placement {
   /// Displacements of the unknowns that bring the nodes as close as possible to `positions`, 3 per node of
   /// the scene [m].
   std::vector<double> displacements(std::span<const double> positions) const;
-  /// Displacements that give the unknowns their values in `x`, a vector over all dofs of an assembler with
-  /// the same numbering.
+  /// Displacements u for which the unknowns have the values in `x`, a vector over all dofs with the same
+  /// numbering.
   std::vector<double> displacements_to(std::span<const double> x) const;
-  /// Copies the rotations of bodies from another mesh `from` of the same gear, at positions x, to the
-  /// displacements u.
+  /// Writes the rotations of bodies into the displacements u. Their values are those of another mesh of the
+  /// same gear, whose placement is `from` and whose positions are x.
   void take_rotations(const Placement& from, std::span<const double> x, std::span<double> u) const;
-  /// Extracts the positions of the scene's nodes, 3 per node, from a vector x over all dofs [m]. It also
-  /// accepts velocities or displacements. Unknowns that the elements of a part share have no position and are
-  /// left out.
+  /// Extracts the positions of the scene's nodes, 3 per node, from a vector x over all dofs [m]. x may also
+  /// be velocities or displacements. Unknowns that the elements of a part share have no position and are left
+  /// out.
   std::vector<double> node_positions(std::span<const double> x) const;
   std::array<double, 3> node_position(std::uint32_t node, std::span<const double> x) const;
   /// Whether an entry of a vector over all dofs is a coordinate of a node of the scene [m].

@@ -27,8 +27,8 @@ const ElementFamily& ElementReports::family_at(std::size_t family) const {
   return *elements_.tiles().families[family];
 }
 
-/// Adds the force of a term at the nodes of its elements, without passing forces on carried nodes on to their
-/// body.
+/// Adds the force of a term at the nodes of its elements. Forces on carried nodes are not passed on to
+/// bodies.
 bool ElementReports::add_term(std::span<const double> x, std::size_t family, std::size_t term,
                               std::span<double> residual, const Kinematics& motion) {
   const ElementTiles& tiles = elements_.tiles();
@@ -49,8 +49,8 @@ bool ElementReports::evaluate_term(std::span<const double> x, std::size_t family
   return done;
 }
 
-/// After each term, only the entries of its nodes are added and cleared. The time is therefore proportional
-/// to the number of elements, even if there are many families.
+/// After each term, only the entries of the nodes of its elements are added and cleared. The time is
+/// therefore proportional to the number of elements, even if there are many families.
 std::vector<double> ElementReports::sum_terms(std::span<const double> x, bool (*counts)(std::uint32_t)) {
   const ElementTiles& tiles = elements_.tiles();
   std::vector<double> sum(x.size(), 0.0), alone(x.size(), 0.0);
@@ -90,7 +90,7 @@ bool ElementReports::term_energy(std::span<const double> x, std::size_t family, 
                          });
 }
 
-/// The sums contain no moments, which are in the rows after those of the nodes.
+/// Only the rows of nodes are summed; moments are in the rows after them.
 bool ElementReports::sum_term(std::span<const double> x, std::size_t family, std::size_t term,
                               std::span<double> sums, const Kinematics& motion) {
   const ElementFamily& f = family_at(family);
@@ -136,7 +136,7 @@ bool ElementReports::outputs(std::span<const double> x, std::size_t family,
   const std::size_t count = f.type().outputs.size();
   values.assign(count, std::vector<double>(f.size()));
   if (!count) return true;
-  // The family whose elements see the water as the flow, if there is one, has changed it.
+  // If a flow changes the water of this family, another family (ChangedWater) evaluates the outputs.
   std::size_t seen = family;
   for (std::size_t g = 0; g < elements_.tiles().families.size(); ++g)
     if (family_at(g).repeated() == &f) seen = g;

@@ -32,7 +32,7 @@ class ElementReports {
   bool sum_term(std::span<const double> x, std::size_t family, std::size_t term, std::span<double> sums,
                 const Kinematics& motion = {});
   /// Sums the residual of one term over each group of nodes, for each part [N]: 3 numbers per part and group.
-  /// `groups` has the index of the group of each node of the scene; it is negative for nodes without a group.
+  /// `groups` has a group index for each node of the scene; a negative index means no group.
   bool sum_term_at(std::span<const double> x, std::size_t family, std::size_t term,
                    std::span<const std::int32_t> groups, std::size_t group_count, std::span<double> sums,
                    const Kinematics& motion = {});
@@ -40,8 +40,8 @@ class ElementReports {
   /// false.
   bool outputs(std::span<const double> x, std::size_t family, std::vector<std::vector<double>>& values,
                const Kinematics& motion = {});
-  /// How much each law is used inside and outside the ranges in which it was measured, at positions x. There
-  /// is one entry per family and law that has a range.
+  /// How much each law is used, at positions x, inside and outside the ranges in which it was measured: one
+  /// entry per family and law with a range.
   std::vector<LawUse> find_law_use(std::span<const double> x, const Kinematics& motion = {});
 
  private:

@@ -27,10 +27,10 @@ struct StepEnds {
 /// The sums that an evaluation computes. A sum that is nullptr or `none` is not computed.
 struct Request {
   double* energy = nullptr;        // the energy, one number [J]
-  bool conservative_only = false;  // leave out forces without an energy; the residual is then the gradient
+  bool conservative_only = false;  // leave out nonconservative forces; the residual is then the gradient
   std::uint32_t without = 0;       // leave out terms with any of these traits
   double* residual = nullptr;      // over all dofs, +dE/dx [N]: of unknowns, then of held dofs (reactions)
-  double* gradient = nullptr;      // part of the residual that has an energy, over all dofs [N]
+  double* gradient = nullptr;      // residual of the conservative forces, over all dofs [N]
   MatrixKind matrix = MatrixKind::none;
   double* values = nullptr;  // values of the matrix, Assembler::value_slots() long [N/m]
   Kinematics motion = {};

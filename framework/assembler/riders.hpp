@@ -8,12 +8,12 @@
 namespace netloft {
 
 /// Whether two families have the same nodes, element by element. A rider is a family that adds forces at the
-/// nodes of another family, such as bending at the bars of a rope. The maps and tilings of a family are
-/// therefore valid for its riders, too.
+/// nodes of another family, such as bending at the bars of a rope. A family and its riders therefore use the
+/// same maps and tilings.
 bool have_same_nodes(const ElementFamily& a, const ElementFamily& b);
 
 /// A family and its riders, which share the same tiles. The inputs of a tile are gathered once for all of
-/// them, and its sums are scattered after all of them have added to it.
+/// these families, and the sums of the tile are scattered after all of them have added to it.
 struct FamilyGroup {
   Tiling tiling;
   std::vector<std::size_t> families;              // indices: first the family, then its riders

@@ -49,9 +49,9 @@ void add_twins(const Tiling& tiling, std::size_t tile, const std::int32_t* map, 
 using Two = wide::Two::V;
 using Four = wide::Four::V;
 
-/// The nine entries of a block, row by row, each for all elements (lanes) of a tile. Loads state their vector
-/// type explicitly, and registers are passed by value: a deduced type, or a reference in clang, loses the
-/// attribute that permits unaligned access.
+/// The nine entries of a block, row by row, each for all elements (lanes) of a tile. The vector type of each
+/// load is written out and registers are passed by value, because a deduced type, or a reference in clang,
+/// loses the attribute that permits unaligned access.
 struct Entries {
   std::array<const double*, 9> at;
   NETLOFT_INLINE Two two(std::size_t i, std::size_t lane) const {
@@ -92,8 +92,8 @@ NETLOFT_INLINE Entries packed_entries(const double* packed_tangent, int P, int Q
   return entries;
 }
 
-/// values[to + i] += entry i of an element's block, for the elements `lane` and `lane` + 1. A register first
-/// holds the same entry of both elements; after a transposition, it holds two entries of one element.
+/// values[to + i] += entry i of an element's block, for the elements `lane` and `lane` + 1. At first, a
+/// register holds one entry of both elements; after a transposition, it holds two entries of one element.
 template <class EntriesOfLanes>
 NETLOFT_INLINE void add_two_lanes(const std::int32_t* to, const EntriesOfLanes& entries, std::size_t lane,
                                   double* values) {
@@ -242,7 +242,7 @@ void add_rows(const Tiling& tiling, std::size_t tile, const double* rows, double
       sums[map[d * kTileLanes + lane]] += rows[d * kTileLanes + lane];
 }
 
-/// Skips tiles whose tangents are zero. There are many such tiles, for instance of netting without bending
+/// Skips tiles whose tangents are zero, of which there are many, for instance in netting without bending
 /// stiffness.
 void scatter_matrix(const Tiling& tiling, std::size_t tile, bool is_symmetric, double* values,
                     TileSums& sums) {

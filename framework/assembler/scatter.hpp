@@ -5,8 +5,8 @@
 
 namespace netloft {
 
-// Adds the sums of a tile (64 elements) to those of the scene: forces to vectors over all dofs [N], tangents
-// to the values of a matrix [N/m]. Moments on bodies are divided by the arm, because the unknowns of
+// Adds the sums of a tile (64 elements) to the sums of the scene: forces to vectors over all dofs [N],
+// tangents to the values of a matrix [N/m]. Moments on bodies are divided by the arm, because the unknowns of
 // rotations are lengths.
 
 /// Adds the forces of the tile and keeps them in the tile, so that further terms can add to them.

@@ -24,8 +24,8 @@ struct StepTile {
   std::vector<netloft_member> members_before, members, members_after;  // members of each lane
 };
 
-/// One family on one tile of elements, in a step of a motion. Its forces and tangents in the middle of the
-/// step have been summed; they are then corrected to mean forces.
+/// One family on one tile of elements, in a step of a motion. The forces and tangents in the middle of the
+/// step, which have been summed, are corrected to mean forces.
 struct TileOfStep {
   const ElementFamily& family;
   const netloft_tile& tile;

@@ -42,8 +42,8 @@ double TileEvaluator::energy() const {
 }
 
 /// Evaluates the tiles of a group. Tiles of one colour have no common nodes and run at the same time, one
-/// colour after another. If only energies are requested, no two tiles write to the same entry, and all of
-/// them run at the same time.
+/// colour after another. If only energies are requested, no two tiles write to the same entry, and all tiles
+/// run at the same time.
 bool TileEvaluator::run_group(const FamilyGroup& group, std::span<const double> x, const Request& request) {
   const Tiling& tiling = group.tiling;
   const auto run = [&](std::size_t begin, std::size_t end) {
@@ -81,8 +81,8 @@ void TileEvaluator::run_tile(const FamilyGroup& group, std::size_t tile, std::sp
   scatter(tiling, tile, tiles_.symmetric, sums, request.residual, request.values);
 }
 
-/// Calls the terms of all families on a tile: the terms with an energy if `with_energy`, otherwise those
-/// without. Returns false if an element could not be evaluated.
+/// Calls terms of all families on a tile: the conservative terms if `with_energy`, otherwise all others.
+/// Returns false if an element could not be evaluated.
 bool TileEvaluator::call_families(const FamilyGroup& group, std::size_t tile, bool with_energy,
                                   const Request& request, Work& work) {
   for (const std::size_t family : group.families) {

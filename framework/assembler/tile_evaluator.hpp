@@ -14,7 +14,7 @@
 namespace netloft {
 
 /// Evaluates the elements of a scene in tiles of 64: gathers their inputs (gather.hpp), calls the terms of
-/// all families on the same nodes (calls.hpp), corrects their forces to mean forces of a step
+/// all families that have these nodes (calls.hpp), corrects their forces to mean forces of a step
 /// (mean_forces.hpp) and adds the forces to the sums (scatter.hpp). Forces are in the world frame and act on
 /// the nodes of the elements: they are not yet passed on to bodies or rotated to nodes' own axes. Allocates
 /// nothing after construction.
@@ -30,9 +30,9 @@ class TileEvaluator {
   double energy() const;
   /// The same as run(), but only for tiles with nodes that bodies carry.
   bool run_carried(std::span<const double> x, const Request& request);
-  /// For each tile of one family, calls evaluate(tile, t, sums) and then visit(tile, t, sums). The memory for
-  /// forces in `t` is set to zero before. Runs on one thread. Returns false if a status is not NETLOFT_OK:
-  /// see fault().
+  /// For each tile of one family, sets the forces of `t` to zero and calls evaluate(tile, t, sums), then
+  /// visit(tile, t, sums). Runs on one thread. Returns false if `evaluate` does not return NETLOFT_OK: see
+  /// fault().
   template <class Evaluate, class Visit>
   bool visit(std::span<const double> x, const Kinematics& motion, std::size_t family,
              const Evaluate& evaluate, const Visit& visit);

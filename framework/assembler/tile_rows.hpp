@@ -11,8 +11,8 @@
 
 namespace netloft {
 
-/// Rows of 64 numbers to which the terms of a tile (64 elements) add. Rows are set to zero, in the lanes of
-/// the tile, when the first term opens them, unless the previous tile left them zero. Rows that no term opens
+/// Rows of 64 numbers to which the terms of a tile (64 elements) add. When the first term opens rows, they
+/// are set to zero in the lanes of the tile, unless the previous tile left them zero. Rows that no term opens
 /// cost no time. Numbers that a term wrongly wrote beyond the last lane are cleared before they are used.
 class TileRows {
  public:

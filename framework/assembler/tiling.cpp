@@ -12,7 +12,7 @@ namespace {
 
 /// Greedy colouring: a tile gets the lowest colour that no other tile at its nodes has.
 std::vector<int> colour_tiles(const ElementFamily& family, std::size_t tiles, std::size_t nodes) {
-  // colours used at a node, one bit each; a tile that would need colour 65 or higher runs alone
+  // The colours used at a node, one bit each. A tile for which none of 64 colours is left runs alone.
   std::vector<std::uint64_t> taken(nodes, 0);
   std::vector<int> colours(tiles);
   int next_alone = 64;
@@ -57,7 +57,7 @@ void map_vectors(const Numbering& numbering, Tiling& tiling) {
 }
 
 /// Returns the index in the array of matrix values to which block (P, Q) of two corners of an element is
-/// added; ~index if the transpose is added instead; `spare`, an unused block, if a node is held.
+/// added, or ~index if the transpose is added instead. If a node is held, returns the unused block `spare`.
 std::int32_t find_block(const ElementFamily& family, const Scene& scene, const NodeBlocks& blocks,
                         bool symmetric, std::size_t e, int P, int Q, std::size_t spare) {
   const std::uint32_t row = family.node(e, P), column = family.node(e, Q);

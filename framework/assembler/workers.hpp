@@ -55,17 +55,17 @@ class Workers {
   }
 
  private:
-  // The ticket holds the number of the loop, its count and the next index. One atomic operation therefore
-  // takes an index of a known loop, and no loop ends before all its indices are done.
+  // The ticket holds the number of the loop, the count of its indices and the next index. One atomic
+  // operation therefore takes an index of a known loop, and no loop ends before all its indices are done.
   static constexpr std::uint64_t kBits = 24, kMask = (1u << kBits) - 1;
   static std::size_t count_of(std::uint64_t ticket) { return ticket >> kBits & kMask; }
   static std::size_t index_of(std::uint64_t ticket) { return ticket & kMask; }
-  // Number of pauses after which a waiting thread goes to sleep; they take about as long as the system needs
-  // to wake a thread. Waiting for this time before sleeping costs at most twice as much as if the thread had
-  // known in advance how long it would have to wait (A. Karlin, M. Manasse, L. McGeoch and S. Owicki,
-  // Competitive randomized algorithms for nonuniform problems, 1990). Measured on two cores of an AMD EPYC: a
-  // pause takes 24 ns, and a thread wakes 21 us after it is called (median of 2000; 18 us for the first
-  // tenth), which is 900 pauses. Other processors differ. No bench prints these figures.
+  // Number of pauses after which a waiting thread goes to sleep. This many pauses take about as long as the
+  // system needs to wake a thread. Waiting for this time before sleeping costs at most twice as much as if
+  // the thread had known in advance how long it would have to wait (A. Karlin, M. Manasse, L. McGeoch and S.
+  // Owicki, Competitive randomized algorithms for nonuniform problems, 1990). Measured on two cores of an AMD
+  // EPYC: a pause takes 24 ns, and a thread wakes 21 us after it is called (median of 2000; the fastest tenth
+  // takes up to 18 us), which is 900 pauses. Other processors differ. No bench prints these figures.
   static constexpr int kSpins = 1000;
 
   static void pause() {

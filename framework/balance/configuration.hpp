@@ -9,7 +9,7 @@
 
 namespace netloft {
 
-/// A step in time as an equation for the displacements u. The time scheme gives v₀, a₀, cv and ca, so that
+/// A step in time as an equation for the displacements u. With v₀, a₀, cv and ca from the time scheme,
 /// velocity and acceleration are linear in u:
 ///   F(t, u, v₀ + cv u, a₀ + ca u) = 0                                            (1)
 struct StepProblem {
@@ -20,8 +20,8 @@ struct StepProblem {
   MovingState* state;            // receives positions and rates
   double least_load;             // lower bound of the load to which tolerances are relative [N]
   /// The two ends of the step, for schemes that use the mean force over the step as F
-  /// (netloft_motion::solve_between); u then belongs to its midpoint, and `after` follows from u. If nullptr,
-  /// F is the force at u.
+  /// (netloft_motion::solve_between); u is then the displacement at the midpoint of the step, and `after`
+  /// follows from u. If nullptr, F is the force at u.
   struct Ends {
     StepEnds ends;
     double begin = 0, end = 0;                 // [s]
@@ -31,9 +31,9 @@ struct StepProblem {
 };
 
 /// Positions and rates of the nodes at displacements u of the unknowns. In a step in time (1), the rates
-/// follow from u. At rest, u is relative to the start of the scene, or to positions near the equilibrium; in
-/// the second case, x_low has the digits that rounding removes from the positions x, so that differences of
-/// positions are more accurate.
+/// follow from u. At rest, u is relative to the start of the scene or to positions near the equilibrium. If
+/// it is relative to positions near the equilibrium, x_low has the digits that rounding removes from the
+/// positions x, so that differences of positions are more accurate.
 class Configuration {
  public:
   explicit Configuration(Assembler& assembler) : assembler_(assembler), x_(assembler.start()) {}

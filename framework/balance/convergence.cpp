@@ -10,9 +10,9 @@ namespace netloft {
 
 namespace {
 
-// Largest ratio of successive residuals that counts as convergence. The value is chosen: an iteration that
-// still converges, even if only linearly, halves the residual in a step, whereas rounding errors go up and
-// down.
+// If the ratio of successive residuals is below this value, the iteration still converges. The value is
+// chosen: an iteration that converges, even if only linearly, halves the residual in a step, whereas rounding
+// errors go up and down.
 constexpr double kRealReduction = 0.5;
 
 }  // namespace

@@ -21,7 +21,7 @@ inline constexpr double kTolerance = 1e-10;
 /// Decides whether forces balance to a tolerance ε of the load, with r, F and b of Imbalance:
 ///   within tolerance:  r ≤ ε F                                                            (1)
 ///   at round-off:      r ≤ min(b, β F)                                                    (2)
-/// At rest, both require
+/// At rest, (1) and (2) also require
 ///   b ≤ β F,   β = kMatters                                                               (3)
 /// If (3) is violated, rounding of the positions changes tensions by as much as the load, and a small
 /// residual is accidental. β is the least imbalance that matters (imbalance.hpp). A step in time does not
@@ -31,10 +31,9 @@ inline constexpr double kTolerance = 1e-10;
 /// A gear with an infinite load has not converged.
 Convergence convergence_of(const Imbalance& i, double tolerance);
 
-/// Whether an iteration may stop: yes within the tolerance. If only rounding errors seem to be left, it
-/// continues as long as each point has at most half the residual of the point before. Rounding errors do not
-/// fall so steadily. A residual that falls like this is a true imbalance of soft parts, hidden below the
-/// rounding errors of stiff parts.
+/// Whether an iteration may stop. Within the tolerance, it may. At round-off, it continues as long as each
+/// point has less than half the residual of the point before. Rounding errors do not fall so steadily: such a
+/// residual is a true imbalance of soft parts, hidden below the rounding errors of stiff parts.
 bool may_stop(Convergence c, double residual, double residual_before);
 
 /// Whether to accept a residual that no step reduces because twines alternate between slack and taut. If the

@@ -15,7 +15,8 @@ enum class Stop { none, arrived, iterations, time, work, interrupted, ran_away, 
 
 /// How the final point of a solver is assessed.
 struct Judging {
-  bool examine_growth = true;       // examine whether a small disturbance grows, if forces have no energy
+  bool examine_growth =
+      true;  // if forces have no potential (drag, pressure), examine whether a disturbance grows
   bool accept_oscillation = false;  // accept an equilibrium from which an oscillation grows
   JudgedPoint* known = nullptr;  // the last point whose stability was decided, for reuse; nullptr: no reuse
 };
@@ -27,8 +28,8 @@ struct Limits {
   int iterations = 1000;
   double seconds = std::numeric_limits<double>::infinity();  // processor time that the user allows
   const std::atomic<bool>* interrupt = nullptr;
-  // Upper limit of the path: the sum of the lengths of all steps, divided by the gear's size. If the path of
-  // a gear exceeds this limit, the gear does not come to rest.
+  // Upper limit of the path (the sum of the lengths of all steps), divided by the gear's size. A gear with a
+  // longer path does not come to rest.
   double path = std::numeric_limits<double>::infinity();
   const WorkModel* model = nullptr;                       // nullptr: work is not limited
   double work = std::numeric_limits<double>::infinity();  // budget, in units of the model

@@ -34,8 +34,8 @@ class Matrices {
   /// evaluated.
   bool row_sums(int matrix, double shift, double* y);
 
-  /// Moves the array of a matrix to the caller, who can use its memory; the matrix then has to be evaluated
-  /// again.
+  /// Moves the array of a matrix to the caller, who can reuse the memory of the array. The matrix has to be
+  /// evaluated again before its next use.
   std::vector<double> give_away(MatrixKind kind) { return std::exchange(slots(kind), {}); }
 
   /// Evaluates the linear stiffness M if this has not been done yet.

@@ -5,8 +5,8 @@
 namespace netloft {
 
 /// Positions and rates of all degrees of freedom at one moment, computed from those of the unknowns and of
-/// the guides (given paths of held nodes). Mass-proportional damping, a force c M v, is the inertia of an
-/// acceleration c v, which is therefore added to a.
+/// the guides (given paths of held nodes). Mass-proportional damping is a force c M v. It equals the inertia
+/// force of an acceleration c v, which is therefore added to a.
 class MovingState {
  public:
   MovingState(const Assembler& assembler, double mass_damping)

@@ -9,8 +9,8 @@ namespace netloft {
 
 namespace {
 
-/// Largest difference along an axis between a node and the first one, at the start [m]; at least 1. Ignores
-/// degrees of freedom that are not positions.
+/// Largest distance along an axis, at the start, between the first node and another node [m]; at least 1.
+/// Ignores degrees of freedom that are not positions.
 double largest_distance(const Assembler& assembler) {
   const std::vector<double>& x = assembler.start();
   double largest = 1;

@@ -34,13 +34,13 @@ class Scales {
 
   /// Longest extent of an element [m]; 1 if there is none.
   double element_size() const { return element_size_; }
-  /// Largest difference, along an axis, between any node and the first node at the start [m]; at least 1.
+  /// Largest distance along an axis, at the start, between the first node and another node [m]; at least 1.
   double gear_size() const { return gear_size_; }
-  /// Largest force on a node by forces that do not depend on the state [N].
+  /// Largest dead load on a node, that is, of forces that do not depend on the state [N].
   double dead_load() const { return dead_load_; }
 
-  /// Forces that drive the gear: those that do not depend on the state (such as weight), and those without an
-  /// energy (such as drag).
+  /// Forces that drive the gear: dead loads, which do not depend on the state (such as weight), and forces
+  /// that have no potential (such as drag).
   struct DrivingLoad {
     double largest = 0, sum = 0;  // norms of nodal forces: the largest, and their sum over all nodes [N]
   };

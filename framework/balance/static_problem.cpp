@@ -140,7 +140,7 @@ int StaticProblem::evaluate_both(const double* u, double* energy, double* residu
 }
 
 /// Begins an evaluation at u. The mean forces of a step in time are not the gradient of an energy. The energy
-/// of such a step is therefore set to zero, so that solvers treat it like forces without an energy.
+/// of a step is therefore set to zero, and solvers treat its forces as nonconservative.
 Request StaticProblem::begin_evaluation(const double* u, double* energy) {
   statistics_.energies += energy != nullptr;
   bad_numbers_ = met_error_ = false;
@@ -203,8 +203,8 @@ int StaticProblem::row_sums(int matrix, double shift, double* y) {
   return matrices_.row_sums(matrix, shift, y) ? NETLOFT_OK : NETLOFT_ERROR;
 }
 
-/// Computes the reactions at u, unless the last evaluation was at this u. Tolerances are relative to the
-/// largest of dead loads and reactions.
+/// Computes the reactions at u, unless they are known there. They are needed because tolerances are relative
+/// to the largest of dead loads and reactions.
 void StaticProblem::find_reactions(const double* u, const double* residual) {
   if (!std::equal(u, u + size(), reactions_of_.begin(), reactions_of_.end())) {
     gradient_.resize(configuration_.x().size());
@@ -272,24 +272,24 @@ Balance StaticProblem::balance(std::span<const double> x, std::span<const double
 }
 
 /// Converts a balance to the input of convergence.hpp. Whether an external force acts is determined only if
-/// the load does not exceed the rounding error, because only then rule (4) there can apply.
+/// the load does not exceed the rounding error; otherwise, rule (4) of convergence.hpp cannot apply.
 Imbalance StaticProblem::imbalance_of(const Balance& b) {
   return {b.residual, b.scale, b.floor, b.scale > b.floor || scales_.is_driven(configuration_.x()),
           configuration_.is_in_time()};
 }
 
 /// Upper bound of the residual of one unknown that rounding can cause. Forces are computed from differences
-/// of coordinates, so that their error is a stiffness times a rounding error: that of a position or, if the
-/// digits beyond double precision are known, that of a difference.
+/// of coordinates. Their error is therefore a stiffness times the rounding error of a position or, if x_low
+/// is known, of a difference.
 double StaticProblem::rounding_at(std::int32_t unknown, std::span<const double> x) const {
   const auto i = static_cast<std::size_t>(unknown);
   const double stiffness = matrices_.metric_at(unknown) + configuration_.stiffness_of_inertia(i);
   return 4 * std::numeric_limits<double>::epsilon() * stiffness * configuration_.rounded_length(x[i]);
 }
 
-/// Whether the gear has run away: practically nothing resists the load. If a node has moved by d before its
-/// load F is balanced, the stiffness against this load is F/d. Gravity alone gives a pendulum of length L and
-/// weight F the stiffness F/L. The gear has run away if F/d ≤ kMatters F/L.
+/// Whether the gear has run away, because practically nothing resists the load. If a node moves by d until
+/// its load F is balanced, the stiffness against this load is F/d. A pendulum of length L and weight F has
+/// the stiffness F/L by gravity alone. The gear has run away if F/d ≤ kMatters F/L.
 bool StaticProblem::has_run_away(std::span<const double> x) const {
   double largest = 0;
   for (std::size_t i = 0; i < x.size(); ++i)

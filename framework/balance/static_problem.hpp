@@ -139,7 +139,7 @@ class StaticProblem {
   double begun_ = 0, begun_cpu_ = 0;  // [s]
   char message_[256] = "";
   std::vector<double> u_, residual_, gradient_;
-  std::vector<double> reactions_of_;  // displacements u of the reactions in residual_; empty: no reactions
+  std::vector<double> reactions_of_;  // u at which residual_ holds the reactions; empty: it holds none
 };
 
 }  // namespace netloft

@@ -19,7 +19,7 @@ struct Statistics {
   int factorisations = 0, refused_factorisations = 0, solves = 0;
   double assembly_seconds = 0, analysis_seconds = 0, factorisation_seconds = 0, solve_seconds = 0;
   double total_seconds = 0, total_cpu_seconds = 0;  // times including the host's final checks
-  double solver_cpu_seconds = 0;                    // processor time without these checks
+  double solver_cpu_seconds = 0;                    // processor time without the host's final checks
 
   void add(const Statistics& other) {
     iterations += other.iterations;

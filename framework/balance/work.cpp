@@ -9,7 +9,7 @@ namespace netloft {
 
 namespace {
 
-// The constants a, c and d of (3) and (4) in work.hpp, as tests/bench/work_model.cpp measured them.
+// The constants a, c and d of (3) and (4) in work.hpp, measured with tests/bench/work_model.cpp.
 constexpr double kPerEntry = 20, kPerResidual = 4, kPerMatrix = 12;
 
 struct FactorSize {

@@ -19,8 +19,8 @@ struct WorkModel {
   double unit = 1;  // cost of one iteration of the original scene, (1)
 
   double of_iteration() const { return factorisation + solution + matrix + residual; }
-  /// The work of these operations by (2). A factorisation that ended early counts in full, because most of
-  /// its work was done. Evaluating an energy costs as much as a residual, or nothing if the residual is
+  /// The work of the counted operations by (2). A factorisation that ended early counts in full, because most
+  /// of its work was done. Evaluating an energy costs as much as a residual, or nothing if the residual is
   /// evaluated at the same point.
   double of(const Statistics& statistics) const {
     const int evaluations = std::max(statistics.residuals, statistics.energies);
@@ -42,12 +42,12 @@ struct WorkModel {
 /// 1.7 for iterations and factorisations, and to a factor of 4.5 for the other operations, of which there are
 /// few.
 ///
-/// `unit` is (1) of the scene itself. If the factorisation does not report F before its first use, F and N
-/// are those of nested dissection of a square grid of n nodes with three unknowns each. With one unknown per
-/// node, Cholesky's factor has 31/4 n log₂ n entries and takes 829/84 n^(3/2) multiplications, and L U
-/// twice as many (A. George, Nested dissection of a regular finite element mesh, SIAM J.
-/// Numer. Anal. 10, 1973); three unknowns per node take 9 times as many entries and 27 times as many
-/// multiplications. If `make` caches analyses, the solver uses this analysis again.
+/// In the returned model, `unit` is (1) for this scene. If the factorisation does not report F before its
+/// first use, F and N are estimated for nested dissection of a square grid of n nodes with three unknowns
+/// each. With one unknown per node, Cholesky's factor has 31/4 n log₂ n entries and takes 829/84 n^(3/2)
+/// multiplications, and L U twice as many (A. George, Nested dissection of a regular finite element mesh,
+/// SIAM J. Numer. Anal. 10, 1973); three unknowns per node take 9 times as many entries and 27 times as many
+/// multiplications. If `make` caches analyses of patterns, the solver reuses the analysis made here.
 WorkModel make_work_model(const Assembler& assembler, const MakeFactorisation& make);
 
 }  // namespace netloft

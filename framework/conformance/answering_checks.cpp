@@ -68,9 +68,9 @@ States collapsed(const Bench& b, States s) {
   return s;
 }
 
-/// States at rest: nothing moves, and neighbouring nodes of an element are one length apart, on a line for
-/// pairs of bars and along the axes for other elements. Nothing in the description of an element defines rest
-/// more precisely.
+/// States at rest: nothing moves, and neighbouring nodes of an element are the length of the element apart,
+/// on a line for pairs of bars and along the axes for other elements. Nothing in the description of an
+/// element defines rest more precisely.
 States resting(const Bench& b, const States& like) {
   States s = b.blank(like.first, like.count);
   const bool straight = b.type.element.stencil == NETLOFT_BAR_PAIR;

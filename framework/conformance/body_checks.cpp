@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks of elements on rigid bodies: results must not depend on which of several rotation vectors describes
-// a rotation.
+// Checks of elements on rigid bodies: several rotation vectors describe the same rotation, and results must
+// not depend on the choice among them.
 #include "framework/conformance/carried_answers.hpp"
 #include "framework/conformance/checks.hpp"
 
@@ -58,8 +58,8 @@ void write_body(const Moving& m, const V& psi, States& s, std::size_t lane) {
 /// The moment that does the same work as a generalised force on a rotation vector.
 V moment_of(const V& psi, const V& generalised) { return rate_of_spin(-psi, generalised); }
 
-/// Transforms the states of a tile's elements, and their answers. `carry(motion, psi)` changes the motion and
-/// returns the new rotation vector; `turn(vector, is_axial)` transforms a force or moment.
+/// Transforms the states of a tile's elements and the answers of a term. `carry(motion, psi)` changes the
+/// motion and returns the new rotation vector; `turn(vector, is_axial)` transforms a force or moment.
 template <class Carry, class Turn>
 void carry_lanes(const States& from, const Answer& answer, const Carry& carry, const Turn& turn, States& to,
                  Answer& expected) {
@@ -146,8 +146,9 @@ Finding full_turns_change_nothing(Bench& b) {
   return judged(worst, "there are no terms");
 }
 
-/// Compares an element with its mirror image at y = 0, the body on the other side of the gear. A reflection
-/// reverses the components x and z of axial vectors, and the component y of all other vectors.
+/// Compares an element with its mirror image in the plane y = 0, which is on a body on the other side of the
+/// gear. A reflection reverses the components x and z of axial vectors, and the component y of all other
+/// vectors.
 Finding sides_mirror_each_other(Bench& b) {
   const auto is_side = [](const netloft_datum& d) { return std::string_view(d.name) == datum::kSide.name; };
   const auto at = std::ranges::find_if(b.type.data, is_side);

@@ -17,8 +17,8 @@ inline std::uint32_t all_of(const netloft_term& term) {
   return NETLOFT_WANT_FORCE | (term.traits & NETLOFT_CONSERVATIVE ? std::uint32_t{NETLOFT_WANT_ENERGY} : 0u);
 }
 
-/// Largest difference of two answers for element `lane`, relative to the force `scale` of the element; for
-/// energies, relative to `scale` times the size of the element.
+/// Largest difference of two answers for element `lane`. Forces are relative to `scale`, the force of the
+/// element; energies are relative to `scale` times the size of the element.
 inline double difference(const Bench& b, const Answer& one, const Answer& two, const States& s, double scale,
                          std::size_t lane) {
   double worst = 0;
@@ -29,8 +29,8 @@ inline double difference(const Bench& b, const Answer& one, const Answer& two, c
   return std::max(worst, ratio(one.energy[lane] - two.energy[lane], energy));
 }
 
-/// Compares the answer at the transformed states `there` with `expected`: the answer at the states `s`,
-/// transformed.
+/// Compares the answer at `there`, the transformed states, with `expected`, the transformed answer at the
+/// states `s`.
 inline void compare(Bench& b, const netloft_term& term, const States& s, const Answer& expected,
                     const States& there, Worst& worst) {
   const Answer found = b.specimen->evaluate(term, there, all_of(term));

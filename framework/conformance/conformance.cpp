@@ -231,7 +231,7 @@ ConformanceReport check_with_law(const ElementType& type, const ConformanceOptio
   return report;
 }
 
-/// Adds failures with another kind of law to a report.
+/// Adds the failures of a run with another kind of law to a report.
 void add_failures(ConformanceReport& report, ConformanceReport other) {
   for (std::size_t i = 0; i < report.checks.size(); ++i) {
     const CheckResult& c = other.checks[i];

@@ -34,8 +34,8 @@ std::string first_difference(const Bench& b, const Specimen& other, const States
   return {};
 }
 
-/// Overwrites bytes of the parameters that no row of the table declares, and returns the name of a function
-/// whose result changes; empty if there is none.
+/// Overwrites bytes of the parameters that no row of the table declares. Returns the name of a function whose
+/// result changes; empty if none does.
 std::string reader_of(const Bench& b, const ByteRange& range) {
   Sample spoilt = b.sample;
   spoilt.spoilt = {range};
@@ -68,7 +68,7 @@ Finding reads_what_it_declares(Bench& b) {
 
 namespace {
 
-/// An input that a term receives if it has the trait `trait`. Terms with the trait `also` may read it, too.
+/// An input that terms with the trait `trait` receive. Terms with the trait `also` may read it, too.
 struct Input {
   std::uint32_t trait;
   const char* text;
@@ -84,8 +84,8 @@ constexpr Input kInputs[] = {
     {NETLOFT_READS_BED, "the bed of the scene without the trait reads_bed"},
     {NETLOFT_READS_WAVES, "acceleration and surface of the water without the trait reads_waves"}};
 
-/// Returns the states with other values of one input: NaN, or numbers that differ from place to place. Every
-/// term receives this input, whatever its traits.
+/// Returns the states with other values of one input: NaN if `no_numbers`, else numbers that differ between
+/// entries. Every term receives this input, whatever its traits.
 States with_other(const Bench& b, const States& from, std::uint32_t trait, bool no_numbers) {
   const auto value = [&](std::size_t i) {
     return no_numbers ? std::numeric_limits<double>::quiet_NaN() : 0.75 + 0.25 * static_cast<double>(i % 7);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Derivatives are compared with central differences over a range of steps, and the best step counts for each
-// state: large steps suffer from curvature, small ones from rounding, and a kink only matters to steps that
-// reach across it. If a state fails with every step, it is on a kink if its one-sided differences differ by
-// more than half of the error. States on a kink are ignored, but at most a tenth of all states may be on one.
+// Derivatives are compared with central differences over a range of steps. For each state, only the best step
+// counts: large steps suffer from curvature, small ones from rounding, and steps across a kink from the kink.
+// If a state fails with every step, it is on a kink if its one-sided differences differ by more than half of
+// the error. States on a kink are ignored, but at most a tenth of all states may be on one.
 #include "framework/conformance/checks.hpp"
 
 #include <algorithm>
@@ -147,7 +147,7 @@ const Variable kVariables[] = {
 /// Selects the entries of a column that are compared.
 using Rows = std::function<bool(std::size_t row, std::size_t column)>;
 
-/// The tangent of a tile, column by column, compared with differences of the force.
+/// Compares the tangent of a tile, column by column, with differences of the force.
 class ForceSlope {
  public:
   ForceSlope(Bench& b, const netloft_term& term, const States& s, const Variable& variable)

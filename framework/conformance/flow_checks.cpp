@@ -16,7 +16,7 @@ bool feels_water(const netloft_term& term) {
 }
 
 /// Returns states in which all nodes of an element have one velocity, the water at all its nodes has one
-/// velocity, and nothing accelerates. A passive element can only take energy out of such a flow.
+/// velocity, and nothing accelerates. A passive element can only take energy out of this flow.
 States in_uniform_flow(const Bench& b, const netloft_term& term, States s) {
   for (std::size_t d = 0; d < b.dofs(); ++d)
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -77,8 +77,8 @@ Finding never_gains_energy(Bench& b) {
   return judged(worst, kNoCurrent);
 }
 
-/// Checks that each element tells its laws its length of twine or its area of netting. Reports use these as
-/// weights when they say how much of a gear is outside the range of a law.
+/// Checks that each element tells its laws its length of twine or its area of netting. These lengths and
+/// areas are the weights with which reports state how much of a gear is outside the range of a law.
 Finding says_how_much_it_stands_for(Bench& b) {
   if (b.type.laws.empty()) return not_applicable("it has no slot for a law");
   for (const auto& term : b.type.terms)

@@ -118,7 +118,7 @@ double error_between(IntegratorBench& b, int steps) {
   return motion.error_between;
 }
 
-/// Within a step, the host interpolates by a cubic, so that the order is four at most.
+/// Within a step, the host interpolates by a cubic, so that the order between the ends is four at most.
 Finding answers_between_steps(IntegratorBench& b) {
   const double ends = std::min(4.0, order_of(b, kFree));
   const double here = std::log2(error_between(b, 128) / error_between(b, 256));
@@ -157,7 +157,8 @@ Finding gains_no_energy(IntegratorBench& b) {
 }
 
 /// Checks the declared stable step. The energy must stay bounded with steps of 0.8 times the stable step. If
-/// all steps are declared stable, it must stay bounded with steps of 100 divided by the angular frequency.
+/// every step is declared stable, the energy must stay bounded with steps of 100 divided by the angular
+/// frequency.
 Finding stable_as_it_says(IntegratorBench& b) {
   const double fastest = 2, stable = b.stable_step(fastest);
   const double h = stable > 0 ? 0.8 * stable : 100 / fastest;

@@ -20,7 +20,7 @@ struct LawAnswer {
 /// The fixture of the law checks, with sampled parameters and flows. Speeds are from 1 cm/s to 5 m/s,
 /// diameters from 1 mm to 10 cm, solidities from 0 to 0.9, a quarter of them zero. Among eight flows, one is
 /// zero, one is along the twine (or the normal of the screen), and one is perpendicular to it. Two more are
-/// almost parallel and almost perpendicular, up to a millionth, and one is a thousand times slower.
+/// parallel and perpendicular to it except for a millionth, and one has a thousandth of these speeds.
 struct LawBench {
   LawBench(const LawType& type, const ConformanceOptions& options);
 

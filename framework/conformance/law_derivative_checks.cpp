@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Derivatives of a law are compared with central differences over a range of steps, and the best step counts
-// for each flow: large steps suffer from curvature, small ones from rounding.
+// Derivatives of a law are compared with central differences over a range of steps. For each flow, only the
+// best step counts: large steps suffer from curvature, small ones from rounding.
 #include "framework/conformance/law_checks.hpp"
 
 #include <algorithm>
@@ -32,8 +32,8 @@ double largest(const std::array<double, 3>& v) {
   return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
 }
 
-/// Compares a derivative along a field of variations with the best central difference, relative to the force
-/// at the speed `reach`. `promised(answer, lane, row)` is the derivative given by the law, times the field.
+/// Compares a derivative along a field of variations with the best central difference, relative to
+/// LawBench::force_scale(). `promised(answer, lane, row)` is the law's derivative times the field.
 template <class Promised>
 void compare_slopes(LawBench& b, std::size_t part, std::vector<double> Flows::*array,
                     const std::vector<double>& field, bool by_speed, Promised&& promised, Worst& worst) {
@@ -100,7 +100,7 @@ Finding d_flow_is_derivative(LawBench& b) {
   return judged(worst, "");
 }
 
-/// Directions are unit vectors. Therefore only variations perpendicular to a direction are tested.
+/// Directions are unit vectors. Therefore only their variations perpendicular to themselves are tested.
 Finding d_direction_is_derivative(LawBench& b) {
   Worst worst(kSlopeLimit);
   for (std::size_t part = 0; part < b.tiles.size(); ++part)

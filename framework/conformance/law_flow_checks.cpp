@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFlowRounding = 1e-10;
 
-/// Reverses one array of the flows, and compares the force with `sign` times the original force.
+/// Reverses the sign of one array of the flows, and compares the force with `sign` times the original force.
 Finding compare_turned_over(LawBench& b, std::vector<double> Flows::*array, double sign) {
   Worst worst(kFlowRounding);
   for (std::size_t part = 0; part < b.tiles.size(); ++part) {

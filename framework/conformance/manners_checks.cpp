@@ -64,8 +64,8 @@ namespace {
 constexpr double kCanary = -7.25e-300;  // small, so that adding any number to it is visible
 constexpr std::size_t kMargin = 4 * kLanes;
 
-/// An array to which a term may add, initially zero. The entries before and after it, and those of unused
-/// lanes (from `count` on), hold a known number.
+/// An array to which a term may add, initially zero. The entries before and after the array, and the entries
+/// of unused lanes (from `count` on), hold a known number.
 struct Guarded {
   Guarded(std::size_t rows, std::size_t count) : values(rows * kLanes + 2 * kMargin, kCanary) {
     for (std::size_t row = 0; row < rows; ++row)
@@ -133,8 +133,8 @@ void prefill(std::vector<double>& values, const std::vector<double>& like) {
     values[i] = (largest(like, i % kLanes) + 1) * (1 + 0.01 * static_cast<double>(i / kLanes % 7));
 }
 
-/// Error of `sum`, relative to the largest number of the element. The correct sum is the numbers of prefill()
-/// plus the answer.
+/// Error of `sum`, relative to the largest number of the element. The correct sum is the result of prefill()
+/// plus `answer`.
 double adding_error(const std::vector<double>& sum, const std::vector<double>& answer, std::size_t lane) {
   std::vector<double> before(answer.size());
   prefill(before, answer);
@@ -317,8 +317,8 @@ enum class Starts { none, some, unknown };
 
 /// Whether `work` starts threads, however short-lived. Other programs start threads, too. Therefore each try
 /// observes the work, and then an equally long pause. The answer is `none` as soon as a try sees no new
-/// thread during the work. It is `some` if every try sees one, although kProof of the pauses had none. It is
-/// `unknown` if other programs start threads all the time.
+/// thread during the work. It is `some` if every try sees a new thread during the work, although kProof of
+/// the pauses had none. It is `unknown` if other programs start threads all the time.
 template <class Work>
 Starts threads_started_by(Work&& work) {
   using Clock = std::chrono::steady_clock;

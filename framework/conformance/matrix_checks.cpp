@@ -20,7 +20,8 @@ Eigen::MatrixXd matrix_of(const Bench& b, const netloft_term& term, const Answer
   return m;
 }
 
-/// Magnitude of the least eigenvalue if it is negative, else zero; relative to the largest entry of `scale`.
+/// Magnitude of the least eigenvalue, relative to the largest entry of `scale`; zero if no eigenvalue is
+/// negative.
 double negativity(const Eigen::MatrixXd& m, const Eigen::MatrixXd& scale) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (m + m.transpose()),
                                                              Eigen::EigenvaluesOnly);

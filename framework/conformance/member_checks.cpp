@@ -51,8 +51,8 @@ const netloft_term& term_of_members(const ElementType& type) {
                        [](const netloft_term& t) { return (t.traits & NETLOFT_OF_MEMBERS) != 0; });
 }
 
-/// Largest difference between the sum of members and the terms: of forces, and of energies divided by the
-/// size of the element.
+/// Largest difference between the members and the terms, in a force or in the energy divided by the size of
+/// the element.
 double difference(const Answer& term, const Pull& members, std::size_t lane, double size) {
   double off = std::abs(term.energy[lane] - members.energy) / size;
   for (std::size_t d = 0; d < members.force.size(); ++d)

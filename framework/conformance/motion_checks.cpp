@@ -12,7 +12,7 @@ namespace {
 constexpr double kLowDigits = 1e-3;  // shift relative to the distance of nodes; far above rounding
 constexpr const char* kAllFromOutside = "all terms act from outside the element";
 
-/// Whether all forces of a term act between nodes of its element: it has no weight, no water and no inertia.
+/// Whether all forces of a term act between nodes of its element: none is due to weight, water or inertia.
 bool is_internal(const Bench& b, const netloft_term& term) {
   return !b.type.is_on_body() &&
          !(term.traits & (NETLOFT_FROM_OUTSIDE | NETLOFT_NEEDS_GRAVITY | NETLOFT_NEEDS_FLOW |

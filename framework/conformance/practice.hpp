@@ -14,8 +14,8 @@ struct Practice {
   double load = 1;         // force f on every mass [N]
   double stiffening = 0;   // stiffening c of (1) [N/m³]
   double wall = 0;         // position at which the energy is infinite, for every mass [m]; 0: none
-  double swirl = 0;        // a force without an energy, s (u_{i+1} − u_{i−1}) [N/m]
-  double grip = 0;         // S [N/m], a stiffness near one position only, for every mass
+  double swirl = 0;        // s in the force s (u_{i+1} − u_{i−1}), which has no potential [N/m]
+  double grip = 0;         // S [N/m], stiffness of every mass near one position only
   double runaway = 0;      // length l [m] in the load f (1 + u²/l²); 0: the load is constant
   double buckling = 0;  // h [N/m]; the last unknown is a deflection v of a column that buckles, without mass
   bool no_factor = false;      // no matrix can be factorised
@@ -28,11 +28,10 @@ struct Practice {
 ///   E(u) = Σ k/2 e² + c/4 e⁴ − Σ f u − b Σ log(1 − u/w),  e = u_i − u_{i−1},  u_0 = 0     (1)
 ///        + Σ F²/S γ(S (u − a)/F) − Σ f u³/(3 l²) − h/2 v² + q/4 v⁴,  γ(x) = x atan x − log(1 + x²)/2
 ///   r = ∂E/∂u + s (u_{i+1} − u_{i−1})                                                    (2)
-/// b = 0.1 J, F = 100 N, q = 100 h/m²; w is the wall, and the other letters are members of Practice. a = R (2
-/// x − x²) + d, with R = 0.72 m, is a position for the mass at the fraction x of the chain: d = 25 mm beyond
-/// the equilibrium that the springs alone would have. Without runaway and buckling, the energy is convex and
-/// has one minimum. The metric is the stiffness k of the chain. The problem counts calls like the host of a
-/// scene.
+/// b = 0.1 J, F = 100 N, q = 100 h/m²; w is the wall, and the other symbols are members of Practice. For the
+/// mass at the fraction x of the chain, a = R (2 x − x²) + d with R = 0.72 m is the equilibrium of the
+/// springs alone plus d = 25 mm. Without runaway and buckling, the energy is convex and has one minimum. The
+/// metric is the stiffness k of the chain. Calls are counted as for a scene.
 class PracticeProblem {
  public:
   explicit PracticeProblem(const Practice& like);

@@ -25,11 +25,11 @@ struct PracticeSwing {
 /// Between the ends of a step, the host uses the cubic through positions and velocities. After a quarter of a
 /// step
 ///   u = (27 uₙ + 5 uₙ₊₁)/32 + h (9 vₙ − 3 vₙ₊₁)/64                                         (3)
-/// The mean forces of a step (netloft_motion::solve_between) are (1) at its middle, because springs are
-/// linear, plus the force of the damping χ with the memory ν and the remembered rate r,
+/// Springs are linear. The mean forces of a step (netloft_motion::solve_between) are therefore (1) at its
+/// middle plus the force of the damping χ with the memory ν and the remembered rate r,
 ///   m ω² χ/2 (uₙ₊₁ − uₙ − h r),  r ← r + ν ((uₙ₊₁ − uₙ)/h − r) at the end of the step        (4)
-/// The outputs of a step and the scratch memory are NaN before the step. The checks thus notice if an output
-/// is missing, or if an integrator relies on numbers in scratch memory from earlier steps.
+/// Before a step, its outputs and the scratch memory are NaN. The checks thus notice a missing output, and an
+/// integrator that relies on numbers of earlier steps in scratch memory.
 class PracticeMotion {
  public:
   explicit PracticeMotion(const PracticeSwing& like);

@@ -87,7 +87,8 @@ std::uint32_t PracticeSearch::size_of(std::uint32_t level) const {
   return (masses >> std::min(level, scene_.levels - 1)) + deflections;
 }
 
-/// The coarser chain: half as many masses with twice the load, on springs of twice the length.
+/// The chain of a variant. Each coarser mesh has half as many masses with twice the load, on springs of twice
+/// the length.
 Practice PracticeSearch::practice(const netloft_variant& v) const {
   Practice like = scene_.like;
   const double coarser = std::exp2(level_of(v)), cap = v.stiffness_cap > 0 ? v.stiffness_cap : HUGE_VAL;
@@ -251,8 +252,8 @@ netloft_ending PracticeSearch::step_to_balance(PracticeProblem& problem, netloft
   }
 }
 
-/// Writes the result of a stage to `s`. If the result reports an interrupt or that the budget is used up, the
-/// strategy is expected to know this from now on.
+/// Writes the result of a stage to `s`. If the result reports an interrupt or an exhausted budget, the
+/// strategy is expected to know it from now on.
 void PracticeSearch::judge(const PracticeProblem& problem, netloft_stage& s, netloft_ending ending) {
   const std::vector<double> u(s.u, s.u + size_of(s.variant.level));
   const Rank found = rank(problem, s.u, tolerance_of(s));
@@ -297,8 +298,9 @@ int PracticeSearch::assess(netloft_stage* stage) {
   return NETLOFT_OK;
 }
 
-/// Hands a problem to a strategy that runs its own method. The budget of the stage, or else the work that
-/// remains, limits the iterations of that method, which count as factorisations on the mesh of the stage.
+/// Hands a problem to a strategy that runs its own method. The budget of the stage, or the remaining work if
+/// the stage has none, limits the iterations of that method. Each iteration counts as a factorisation on the
+/// mesh of the stage.
 int PracticeSearch::problem(netloft_stage* stage, netloft_problem* problem) {
   if (is_refused(*stage)) return fail("the host broke down");
   const double budget = stage->work > 0 ? stage->work : left();

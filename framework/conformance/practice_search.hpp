@@ -44,7 +44,7 @@ enum class Slip {
 /// coarser meshes, solved by Newton's method with full steps and |K| in place of an indefinite K,
 ///   u ← u − |K|⁻¹ r.
 /// An iteration costs 1 on the finest mesh, 1/2 on the next, and so on; every stage and every assessment
-/// costs a tenth in addition. After an interrupt, no work is left. In the letters of practice.hpp, the cap on
+/// costs a tenth in addition. After an interrupt, no work is left. In the symbols of practice.hpp, the cap on
 /// stiffness reduces k and S, and the factor on the current reduces s and half of f. The search offers no
 /// members. All requests and answers are recorded for the checks.
 class PracticeSearch {
@@ -60,8 +60,8 @@ class PracticeSearch {
   const std::vector<std::vector<double>>& answers() const { return answers_; }
   /// Largest residual of the best answer in the scene itself, relative to the load; infinite without answer.
   double imbalance() const;
-  /// Whether some stage found a better equilibrium of the scene itself than all answers: either a stable one
-  /// although no answer is stable, or some equilibrium although no answer is one.
+  /// Whether some stage found a better equilibrium of the scene itself than all answers: a stable one if no
+  /// answer is stable, or any equilibrium if no answer is an equilibrium.
   bool has_kept_an_equilibrium() const;
   /// A sentence about the first mistake of this kind; empty if there was none.
   std::string slip(Slip kind) const;

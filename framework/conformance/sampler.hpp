@@ -10,10 +10,10 @@ namespace netloft::conformance {
 /// Draws parameters from their table alone; the same seed gives the same parameters.
 ///
 /// A real is drawn on a logarithmic scale from the usual values of its unit (sampler.cpp) within its allowed
-/// range, or from the range itself if it contains none of them. Integers are among the lowest 100 of their
-/// range, choices use their words in turn. Part 0 has all defaults; in other parts, each parameter has its
-/// default with probability 1/2. Tables have 4 rows; their columns are drawn by unit, the first in ascending
-/// order. Tables over two arguments have two values of each.
+/// range. If the range contains no usual value, it is drawn from the range itself. Integers are among the
+/// lowest 100 of their range, choices use their words in turn. Part 0 has all defaults; in other parts, each
+/// parameter has its default with probability 1/2. Tables have 4 rows; their columns are drawn by unit, the
+/// first in ascending order. Tables over two arguments have two values of each.
 class ParameterSampler {
  public:
   ParameterSampler(std::span<const netloft_parameter> table, std::uint64_t seed)
@@ -61,8 +61,8 @@ class Sampler : public ParameterSampler {
 
   void data(Sample& sample, std::size_t element);
   void state(const Sample& sample, std::size_t element, States& states, std::size_t lane);
-  /// The length among an element's data [m] (1 m if no datum is a length), times the extent of its corner
-  /// coordinates.
+  /// The length among an element's data [m], or 1 m if no datum is a length, times the extent of the
+  /// element's corner coordinates.
   double size(const Sample& sample, std::size_t element) const;
   /// The length among an element's data alone [m], such as the rest length of a bar.
   double length(const Sample& sample, std::size_t element) const;

@@ -19,7 +19,7 @@ struct Sample {
   std::vector<Values> parameters;
   std::vector<std::uint32_t> part;
   std::vector<std::vector<double>> data;  // [datum] -> [element][width]
-  // Kind of the laws in all slots that accept it; any other slot gets the first kind that it accepts.
+  // Kind of law in all slots that accept this kind; any other slot gets the first kind that it accepts.
   std::uint32_t law_kind = 0;
   // Bytes of the parameters to be overwritten; no row of the table declares them.
   std::vector<ByteRange> spoilt = {};
@@ -37,7 +37,7 @@ struct States {
   std::vector<double> swing = {};    // [dof][64] acceleration of the water; empty: none
   std::vector<double> surface = {};  // [nodes][64] height of the surface of the water; empty: z = 0
   double time = 1;                   // [s]
-  std::uint32_t exposed = 0;  // traits whose inputs terms receive even if they do not have these traits
+  std::uint32_t exposed = 0;         // traits whose inputs every term receives, also without the trait
 };
 
 /// The arrays of States that have rows of one number per element.
@@ -98,7 +98,7 @@ class Specimen {
   std::vector<netloft_member> members(std::uint32_t first, std::uint32_t count) const;
 
   std::size_t entries(const netloft_term& term) const;
-  /// For how many lanes the elements called their laws.
+  /// Counts the lanes for which the elements called their laws.
   const LaneCounts& law_lanes() const { return law_lanes_; }
   /// Size of the memory of a term, in numbers per element.
   std::size_t remembered(const netloft_term& term) const;

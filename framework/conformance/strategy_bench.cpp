@@ -5,7 +5,7 @@ namespace netloft::conformance {
 
 namespace {
 
-// This chain is long because coarser meshes do not help with a chain of twelve masses.
+// This chain has many masses, because coarser meshes do not help with a chain of twelve masses.
 const PracticeScene kLong{.like = {.stiffness = 45500, .unknowns = 256}, .levels = 2};
 
 }  // namespace

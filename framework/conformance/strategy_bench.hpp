@@ -39,7 +39,7 @@ inline const PracticeScene kGripped{.like = {.grip = 1e4}};
 inline const PracticeScene kTwoMeshes{.like = {.grip = 10}, .levels = 2};
 inline const PracticeScene kBuckling{.like = {.buckling = 10, .unknowns = 13}};
 inline const PracticeScene kBucklingUnseen{.like = {.buckling = 10, .unknowns = 13}, .knows_growth = false};
-// A chain without equilibrium: in the letters of practice.hpp, k² < 4 n f²/l², so that the first mass, which
+// A chain without equilibrium: in the symbols of practice.hpp, k² < 4 n f²/l², so that the first mass, which
 // bears the loads of all n masses, cannot be in balance.
 inline const PracticeScene kRunaway{.like = {.runaway = 0.05}};
 inline const PracticeScene kFlowing{.like = {.swirl = 5}};
@@ -48,7 +48,8 @@ inline const PracticeScene kFlowing{.like = {.swirl = 5}};
 const std::vector<NamedScene>& scenes();
 /// Scenes that a single solve brings to equilibrium.
 const std::vector<NamedScene>& easy_scenes();
-/// Returns `scenes`, the same scenes with a small budget of work, and the same with an interrupt by the user.
+/// Returns scenes(), the same scenes with a small budget of work, and the same scenes with an interrupt by
+/// the user.
 std::vector<NamedScene> all_scenes();
 
 }  // namespace netloft::conformance

@@ -244,9 +244,9 @@ Finding survives_its_bounds(StrategyBench& b) {
 
 constexpr std::size_t kExplainGuard = 64;
 
-/// Calls `explain` with room for a text of the given size, and returns an error or an empty text. If `asks`,
-/// the error is that `explain` requests a stage or gives an answer; otherwise, that it fails or that its text
-/// has no end within the room.
+/// Calls `explain` with `room` bytes for its text, and returns a fault or an empty text. If `asks`, it is a
+/// fault to request a stage or to give an answer; otherwise, to fail, to write beyond the room, or to leave
+/// the text without an end.
 std::string fault_of_explaining(StrategyBench& b, const PracticeScene& like, std::uint32_t room, bool asks) {
   PracticeScene scene = like;
   scene.claims = b.type.strategy.needs & kMayBeClaimed;

@@ -7,8 +7,8 @@
 
 namespace netloft::conformance {
 
-/// For how many lanes a law was called, and how many of them had an extent (metres of twine, square metres of
-/// netting) that is not a positive number.
+/// Number of lanes for which a law was called, and number of those whose extent (metres of twine, square
+/// metres of netting) is not a positive number.
 struct LaneCounts {
   std::atomic<std::uint64_t> all{0}, wrong{0};
 };

@@ -6,8 +6,8 @@
 
 namespace netloft::conformance {
 
-/// Time of `work` on an object that `prepare` makes for each repeat [ns]. The least time of several repeats
-/// counts, because disturbances only make a measurement longer.
+/// Time of `work` on an object that `prepare` makes for each repeat [ns]. The result is the least time of
+/// several repeats, because disturbances only make a measurement longer.
 template <class Prepare, class Work>
 double least_nanoseconds(Prepare&& prepare, Work&& work) {
   using Clock = std::chrono::steady_clock;
