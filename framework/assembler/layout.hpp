@@ -9,7 +9,8 @@
 namespace netloft {
 
 /// The arrangement of the matrix values of an assembler. It depends on connections only: the nodes of all
-/// elements, the held coordinates, and the nodes of bodies. Assemblers with equal connections share it.
+/// elements, the held coordinates, and the nodes of bodies. Assemblers with equal connections share one
+/// layout.
 struct Layout {
   std::vector<std::uint8_t> held;
   std::vector<bool> carried;

@@ -6,8 +6,8 @@
 
 namespace netloft {
 
-/// The diagonal blocks of the mass matrix ∂r/∂a, summed from the tangents of the elements without a sparse
-/// matrix. Explicit schemes solve with these blocks.
+/// The diagonal blocks of the mass matrix ∂r/∂a, summed directly from the tangents of the elements (no sparse
+/// matrix is needed). Explicit schemes solve with these blocks.
 struct MassBlocks {
   std::span<double> nodes;    // for each node a 3 x 3 block, row by row [kg]
   std::span<double> between;  // a 3 x 3 block per body, origin x rotation [kg]

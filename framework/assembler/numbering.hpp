@@ -21,9 +21,9 @@ struct Dof {
   friend constexpr auto operator<=>(Dof, Dof) = default;
 };
 
-/// Numbers the degrees of freedom: first the unknowns, in the order of the nodes, then the held ones. A
-/// vector over all degrees of freedom may hold positions, or the residuals of the unknowns followed by the
-/// reactions.
+/// Numbers the degrees of freedom: first the unknowns, in the order of the nodes, then the held degrees of
+/// freedom. A vector over all degrees of freedom may hold positions, or the residuals of the unknowns
+/// followed by the reactions.
 class Numbering {
  public:
   explicit Numbering(const Scene& scene) : place_(3 * scene.node_count()) {

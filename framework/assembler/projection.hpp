@@ -11,9 +11,9 @@ namespace netloft {
 /// negative eigenvalues become zero. `tangent` has `dofs` x `dofs` entries, row by row. This is slow.
 void project_convex(double* tangent, int dofs);
 
-/// Adds diagonal matrices to `packed_tangent`, for the first `count` elements of a tile. They bound the
-/// symmetric parts of `tangent` from above (Gershgorin's theorem). `tangent` is stored as a packed triangle
-/// if `symmetric`, otherwise as a full square.
+/// Adds diagonal matrices to `packed_tangent`, for the first `count` elements of a tile. The diagonal
+/// matrices bound the symmetric parts of `tangent` from above (Gershgorin's theorem). `tangent` is stored as
+/// a packed triangle if `symmetric`, otherwise as a full square.
 void add_bounds(const double* tangent, bool symmetric, std::size_t dofs, std::size_t count,
                 double* packed_tangent);
 

@@ -15,8 +15,7 @@ enum class Stop { none, arrived, iterations, time, work, interrupted, ran_away, 
 
 /// How the final point of a solver is assessed.
 struct Judging {
-  bool examine_growth =
-      true;  // if forces have no potential (drag, pressure), examine whether a disturbance grows
+  bool examine_growth = true;       // examine whether disturbances grow, if forces have no potential
   bool accept_oscillation = false;  // accept an equilibrium from which an oscillation grows
   JudgedPoint* known = nullptr;  // the last point whose stability was decided, for reuse; nullptr: no reuse
 };

@@ -6,8 +6,8 @@
 
 namespace netloft {
 
-/// An approximate eigenvalue θ of A with its eigenvector, from a Krylov space. A and the numbers of equations
-/// are explained in growth.hpp.
+/// An approximate eigenvalue θ of A with its eigenvector, from a Krylov space. growth.hpp defines A and has
+/// the numbered equations.
 struct RitzPair {
   std::complex<double> theta;
   double residual = std::numeric_limits<double>::infinity();  // residual of the pair, ρ in (5)
@@ -20,7 +20,7 @@ struct RitzPair {
 };
 
 /// An orthonormal basis Q of the Krylov space z, Az, A²z, … in the inner product (8) of cayley.hpp, with A Q
-/// = Q H. One object serves several spaces in turn, with the same memory.
+/// = Q H. One object builds several spaces in turn and reuses its memory.
 class Arnoldi {
  public:
   explicit Arnoldi(Cayley& A) : A_(A) {}
@@ -28,10 +28,10 @@ class Arnoldi {
   void begin(const Eigen::VectorXd& z);
   void extend(Eigen::Index steps);
   /// The Ritz pair that decides the verdict. Candidates are the accurate pairs (is_known) that lie beyond the
-  /// unit circle by more than `beyond`. Candidates that grow faster than they oscillate (|Im s| ≤ Re s, with
-  /// the rate s) precede the others; otherwise the outermost is returned. Without candidates, the outermost
-  /// of all pairs is returned. Pairs that are slow for A (Cayley::is_slow) are ignored. The returned `theta`
-  /// is NaN if A or its eigenvalues could not be computed.
+  /// unit circle by more than `beyond`. Among the candidates, those that grow faster than they oscillate (|Im
+  /// s| ≤ Re s, with the rate s) take precedence; of equal rank, the outermost is returned. Without
+  /// candidates, the outermost of all pairs is returned. Pairs that are slow for A (Cayley::is_slow) are
+  /// ignored. The returned `theta` is NaN if A or its eigenvalues could not be computed.
   RitzPair outermost(double beyond) const;
 
  private:

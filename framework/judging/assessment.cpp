@@ -13,8 +13,7 @@ namespace netloft {
 namespace {
 
 /// Determines the stability from the tangent at u. A point is neutral if its tangent becomes positive
-/// definite by the addition of a small multiple of the linear stiffness, as large as the effect of rounding
-/// errors.
+/// definite when a small multiple of the linear stiffness, no larger than rounding errors, is added.
 Stability find_stability(StaticProblem& problem, std::span<const double> u) {
   if (problem.factorise_at(u, 0) == NETLOFT_FACTOR_OK) return Stability::stable;
   const netloft_factor shifted = problem.factorise_at(u, kRoundingOfMatrix);
@@ -92,7 +91,8 @@ Growth find_growth_at_rest(const AssembledScene& scene, const Assessment& a, Sta
   return growth;
 }
 
-/// Determines the stability of a point from the motion of the gear, if forces have no energy.
+/// Determines the stability of a point from the motion of the gear, if forces have no potential (drag,
+/// pressure).
 void find_growing_motion(Assessment& a, const AssembledScene& scene, StaticProblem& problem) {
   Growth growth = find_growth_at_rest(scene, a, problem);
   a.stability = stability_of(growth.verdict);

@@ -8,20 +8,20 @@ namespace netloft {
 
 enum class SolveStatus { converged, unstable, not_converged, interrupted };
 
-/// Whether a small disturbance of an equilibrium decays. If forces have an energy, the tangent decides.
+/// Whether a small disturbance of an equilibrium decays. If all forces have a potential, the tangent decides.
 /// Otherwise growth.hpp decides, and `stable` means that no growing disturbance was found. `swinging` means
 /// that the fastest growing motion oscillates (Growth::swings), like the flapping of an empty cod-end: the
 /// gear does not come to rest near the equilibrium, but its motion may remain small. `local` means that only
 /// a negligible part of the gear is swinging or unstable (Growth::is_local).
 enum class Stability { stable, neutral, marginal, local, swinging, unstable, unknown };
 
-/// The motion into which a small disturbance of u grows, if forces have no energy.
+/// The motion into which a small disturbance of u grows, if forces have no potential (drag, pressure).
 struct GrowingMotion {
   std::vector<double> mode;        // shape over the unknowns, of length 1; empty: no growing motion is known
-  std::vector<double> mode_later;  // the mode a quarter of a period later, if it oscillates; else empty
+  std::vector<double> mode_later;  // the mode a quarter of a period later; empty: no oscillation
   double rate = 0;                 // growth rate [1/s]; zero if no fluid moves
   double frequency = 0;            // angular frequency [rad/s]; zero if the motion does not oscillate
-  double share = 1;                // fraction of the gear's mass that it moves, (1) of extent.hpp
+  double share = 1;                // fraction of the gear's mass that the motion moves, (1) of extent.hpp
 };
 
 /// One more Newton step from a point. Its length estimates the distance of the point from the equilibrium.
@@ -47,8 +47,8 @@ struct Assessment {
   Statistics judging;  // cost of the assessment
 };
 
-/// The last equilibrium whose stability was decided, if forces have no energy. If a solver ends there again,
-/// the verdict is reused.
+/// The last equilibrium whose stability was decided, if forces have no potential (drag, pressure). If a
+/// solver ends at the same equilibrium again, the verdict is reused.
 struct JudgedPoint {
   Assessment assessment;
   std::vector<double> memory;  // memory of the elements

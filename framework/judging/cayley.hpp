@@ -8,12 +8,12 @@
 
 namespace netloft {
 
-/// The operator (4) in growth.hpp, with a shift σ, has to find all rates s with σ/kOff ≤ |s| ≤ kOff σ. Other
-/// shifts find all other rates.
+/// With a shift σ, the operator (4) of growth.hpp has to find all rates s with σ/kOff ≤ |s| ≤ kOff σ. Other
+/// shifts find the other rates.
 inline constexpr double kOff = 10;
 
 /// The operator A of (4) in growth.hpp, one step of the trapezoidal rule for M ÿ + C ẏ + K y = 0, on vectors
-/// (y, v) of displacements and velocities. Their norm is that of an energy,
+/// (y, v) of displacements and velocities. The square of their norm is an energy,
 ///   ‖(y, v)‖² = yᵀ(K₊ + σ²M) y + vᵀM v,   K₊ the convex part of K                          (8)
 /// In this norm, A enlarges no vector if K = K₊ and C damps. In another norm, a transient would look like
 /// growth.
@@ -34,9 +34,8 @@ class Cayley {
   bool is_damped() const { return motion_.is_damped; }
   /// The growth rate s that corresponds to an eigenvalue μ of A: the inverse of μ(s) in (4) of growth.hpp.
   std::complex<double> rate(std::complex<double> mu) const { return sigma_ * (mu - 1.0) / (mu + 1.0); }
-  /// Whether the rate |s| of an eigenvalue μ is below σ/10, so that it is left to a smaller shift σ. The Ritz
-  /// values of such slow motions are useless: for unit masses, w = σy and all frequencies ω ≪ σ, A is close
-  /// to
+  /// Whether the rate |s| of an eigenvalue μ is below σ/10. Such slow motions are left to a smaller shift σ,
+  /// because their Ritz values are useless: for unit masses, w = σy and all frequencies ω ≪ σ, A is close to
   ///   (w, v) → (w + 2v, v − 2Kw/σ²),   μ = 1 ± 2iω/σ                                        (5a)
   /// whereas zᵀAz of unit vectors z ranges from 0 to 2. Ritz values may lie anywhere in that range, although
   /// the error estimate (5) of growth.hpp is small.
@@ -44,8 +43,8 @@ class Cayley {
   /// A vector with a component in every direction; it has the same values on every machine.
   Eigen::VectorXd start() const;
   /// Whether an error of K could explain the growth at rate s along y. This error is the rounding error of K,
-  /// or, if s is real, the change of K over the remaining Newton step δ. δ is limited to kSamePlace of the
-  /// gear's size, because a small imbalance leaves a long step along a soft mode.
+  /// or, if s is real, the change of K over the remaining Newton step δ. The length of δ is limited to
+  /// kSamePlace times the gear's size, because a small imbalance leaves a long step along a soft mode.
   ///   ‖(s²M + sC) y‖ ≤ ‖10 ε |K||y|‖   or   0 < yᵀ(s²M + sC) y ≤ yᵀ(K(x + δ) − K(x)) y       (7)
   bool is_in_doubt(std::complex<double> s, const Eigen::VectorXcd& y) const;
 

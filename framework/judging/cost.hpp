@@ -18,7 +18,7 @@ struct StageRecord {
 
 /// Cost of a solution, and the stages (solves) that led to it.
 struct Cost {
-  // The sum over all stages. Its times include the checks of the host after the last stage, its counts do
+  // The sum over all stages. The times include the checks of the host after the last stage, the counts do
   // not.
   Statistics statistics;
   double work = 0;                  // work of all stages, in Newton iterations of the scene (work.hpp)

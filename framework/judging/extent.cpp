@@ -10,11 +10,11 @@ namespace netloft {
 
 namespace {
 
-// Largest number of separate local motions. Each of them costs another search for growing motions. The value
-// is chosen: of 201 equilibria of the trawl 83-112 at sea, 8 had such motions.
+// Largest number of separate local motions, each of which costs another search for growing motions. The value
+// is chosen: of 201 equilibria of the trawl 83-112 at sea, 8 had local motions.
 constexpr int kLocalMotions = 3;
 
-/// The mass of the gear. The three unknowns of a node count a third of its mass each.
+/// The mass of the gear. Each of the three unknowns of a node counts a third of the mass of the node.
 double mass_of(const SparsePattern& pattern, const LinearMotion& motion) {
   double trace = 0;
   for_entries(
@@ -33,7 +33,8 @@ double square_by_mass(const SparsePattern& pattern, const LinearMotion& motion,
   return sum;
 }
 
-/// The share of the gear's mass, (1) of extent.hpp, that a motion with these amplitudes of nodes moves.
+/// The share (1) of extent.hpp: the fraction of the gear's mass that a motion with these nodal amplitudes
+/// moves.
 double share_of(const SparsePattern& pattern, const LinearMotion& motion, const Growth& growth,
                 const std::vector<double>& amplitudes) {
   const double furthest = *std::max_element(amplitudes.begin(), amplitudes.end());

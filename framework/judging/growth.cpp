@@ -18,11 +18,11 @@ namespace {
 // slower than 1e-4/s, which is tenfold in six hours, is not found.
 constexpr double kLeastSigma = 1e-3, kOtherSigma = 1.3;
 // Number of steps of the Arnoldi iteration, doubled once if the result is not clear. If the powers of A
-// decide instead, growth is measured over kSteps powers at a time, at most kSteps times.
+// decide instead, the growth over kSteps powers is measured at most kSteps + 1 times.
 constexpr int kSteps = 24;
-// Distance from the unit circle beyond which Ritz values are examined. For a growth just above marginal, |μ|
-// − 1 is ten times this number if σ = |s|, and twice this number if σ differs from |s| by the factor kOff. If
-// the growth of powers falls by this fraction between two measurements, it may be transient.
+// Distance from the unit circle beyond which Ritz values are examined. If growth is just above marginal, |μ|
+// − 1 is ten times this distance for σ = |s|, and twice this distance if σ and |s| differ by the factor kOff.
+// If the growth of powers of A falls by this fraction between two measurements, the growth may be transient.
 constexpr double kDistanceFromCircle = (kMarginalGrowth - 1) / kOff;
 // The ratio c = Re s/|s| for which (6) in growth.hpp gives |μ| = kMarginalGrowth.
 constexpr double kLeastCosine =
@@ -96,7 +96,7 @@ Growth growth_of(const RitzPair& pair, const Cayley& A) {
 }
 
 /// Verdict by the growth of powers of A, used if the largest Ritz value is not accurate enough. If growth
-/// becomes slower from 24 powers to the next 24, it may be transient.
+/// slows down from 24 powers to the next 24, it may be transient.
 Growth growth_by_powers(Cayley& A, Arnoldi& arnoldi) {
   Powers powers(A);
   const GrowthVerdict verdict = powers.judge();

@@ -7,8 +7,8 @@ namespace netloft {
 /// Growth factors per step up to this value cannot be distinguished from 1 (no growth); see (6) below.
 inline constexpr double kMarginalGrowth = 1.01;
 /// A growing motion oscillates if its angular frequency exceeds this multiple of its growth rate. Otherwise
-/// it grows by at least exp(10 π) in half a period, as much as from a rounding error to the size of the gear,
-/// so that it never completes a period.
+/// it grows by at least exp(10 π) in half a period, that is, from a rounding error to the size of the gear,
+/// and never completes a period.
 inline constexpr double kOscillates = 0.1;
 
 enum class GrowthVerdict { none, marginal, grows, unknown };
@@ -18,7 +18,7 @@ struct Growth {
   GrowthVerdict verdict = GrowthVerdict::none;
   double per_power = 0;           // largest growth factor |μ| of (6) for any σ; zero if nothing grows
   double rate = 0;                // growth rate Re s of the growing motion [1/s]
-  double frequency = 0;           // Im s, its angular frequency [rad/s]; zero for a divergence
+  double frequency = 0;           // angular frequency Im s of this motion [rad/s]; zero for a divergence
   std::vector<double> mode = {};  // shape over the unknowns, of length 1; empty if nothing grows
   // The mode a quarter of a period later, on the same scale; empty if the motion does not oscillate.
   std::vector<double> mode_later = {};
@@ -30,7 +30,7 @@ struct Growth {
   bool swings() const { return frequency > kOscillates * rate; }
 };
 
-/// Stability of an equilibrium whose forces have no energy (drag, pressure), by its linear motion
+/// Stability of an equilibrium whose forces have no potential (drag, pressure), by its linear motion
 ///   M ÿ + C ẏ + K y = 0,   M = ∂r/∂ẍ,   C = ∂r/∂ẋ,   K = ∂r/∂x                            (1)
 /// with all masses and added masses, the damping by the flow and the losses of the material. C may drive a
 /// motion, for instance of boards beyond their greatest lift or of spheres in their drag crisis. y decays if
@@ -53,11 +53,10 @@ struct Growth {
 ///   |μ| = ((1 + c)/(1 − c))^½,   c = Re s/|s|                                              (6)
 /// The verdict is `marginal` if growth cannot be distinguished from none: if |μ| ≤ kMarginalGrowth, which is
 /// less than 6 % per period and depends on a hundredth of the damping; if an oscillation grows in a scene
-/// without damping, which a little damping may stop or not (Bolotin); if powers do not settle; or by (7) in
-/// cayley.hpp. It is `unknown` if K + σC + σ²M could not be factorised. It depends neither on chance nor on a
-/// clock.
-/// `factors` must be those of this pattern; they count the cost. The matrices in `motion` are overwritten.
-/// Only the function with an assembler finds the extent of a growing motion.
+/// without damping, because a little damping may or may not stop it (Bolotin); if powers do not settle; or by
+/// (7) in cayley.hpp. It is `unknown` if K + σC + σ²M could not be factorised. It depends neither on chance
+/// nor on a clock. `factors` must be those of this pattern; they count the cost. The matrices in `motion` are
+/// overwritten. Only the function with an assembler finds the extent of a growing motion.
 Growth find_growth(Assembler& assembler, const RestPlace& place, Factors& factors, LinearMotion motion = {});
 Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, Factors& factors);
 

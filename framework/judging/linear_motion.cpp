@@ -15,9 +15,9 @@ namespace {
 
 // Time constant τ [s] of (2) in growth.hpp, for unknowns without mass and damping.
 constexpr double kTimeToFollow = 1e-3;
-// Multiple of the linear stiffness that is added to K₊ in the norm (8) of cayley.hpp, for directions that
-// have no other stiffness. It is the geometric mean of the rounding error of a matrix and the least stiffness
-// that matters.
+// This multiple of the linear stiffness is added to K₊ in the norm (8) of cayley.hpp, for directions that
+// have no other stiffness. The multiple is the geometric mean of the rounding error of a matrix and the least
+// stiffness that matters.
 const double kMetricFraction = std::sqrt(kRoundingOfMatrix * kMatters);
 
 /// Calls visit(row, column, slot, mirrored slot) for every entry on and below the diagonal, column by column,
@@ -81,7 +81,8 @@ std::vector<double> diagonal_of(const SparsePattern& p, std::span<const double> 
 }
 
 /// For each unknown, the rate at which C drives it [1/s], −Re d/m of (6c); zero if C damps it. If one unknown
-/// of a pair has no mass, the mass of the other one is used for both. A massless unknown alone has no rate.
+/// of a pair has no mass, the mass of the other is used for both. A massless unknown without a pair has no
+/// rate.
 std::vector<double> driven_rates(const SparsePattern& p, std::span<const double> C,
                                  std::span<const double> mass) {
   const std::vector<double> damping = diagonal_of(p, C);
@@ -128,8 +129,8 @@ std::vector<double> between(std::span<const double> a, std::span<const double> b
   return there;
 }
 
-/// Change of K over the remaining Newton step (LinearMotion::K_error); empty if the step is not known, or if
-/// forces are undefined at its end.
+/// Change of K over the remaining Newton step (LinearMotion::K_error); empty if the step is not known or
+/// forces are undefined at the end of the step.
 std::vector<double> change_of_stiffness(Assembler& assembler, const RestPlace& at,
                                         const std::vector<double>& K, Statistics& cost) {
   if (at.after.empty()) return {};

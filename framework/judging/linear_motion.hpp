@@ -13,8 +13,8 @@ namespace netloft {
 struct LinearMotion {
   std::vector<double> K = {}, C = {}, M = {};  // [N/m], [N s/m], [kg]
   std::vector<double> convex = {};             // symmetric positive definite, an approximation of K [N/m]
-  // Evaluates the change of K over the remaining Newton step, if a verdict depends on it. Returns an empty
-  // vector if it is unknown.
+  // Returns the change of K over the remaining Newton step, or an empty vector if the change is unknown.
+  // Called only if a verdict depends on it.
   std::function<std::vector<double>()> K_error = {};
   bool is_damped = true;  // whether some element damps
 };
@@ -25,7 +25,7 @@ struct RestPlace {
   std::span<const double> x_low = {};  // digits that rounding removes from x; empty: unknown
   std::span<const double> after = {};  // x after the remaining Newton step; empty: unknown
   std::span<const double> after_low = {};
-  double fraction = 1;  // part of that step within which points count as the same (kSamePlace)
+  double fraction = 1;  // fraction of that step up to which points count as the same (kSamePlace)
 };
 
 /// Evaluates the matrices at a point and counts them in `cost`. Returns false if an element failed, which
@@ -37,7 +37,7 @@ inline constexpr double kRoundingOfMatrix = 1e-9;
 
 /// Whether (9) holds; then the energy (8) of cayley.hpp never increases, and no disturbance grows:
 ///   M and K symmetric, K and M positive definite, C + Cᵀ positive semidefinite             (9)
-/// This is determined by Cholesky factorisations, which `factors` counts. A positive definite K + Kᵀ would
+/// Cholesky factorisations decide whether (9) holds; `factors` counts them. A positive definite K + Kᵀ would
 /// not be enough: for M = 1 and K = [1 −b; b 1], s² = −1 ± ib, so that a motion grows for any b ≠ 0.
 bool is_stable_by_energy(const SparsePattern& pattern, const LinearMotion& motion, Factors& factors);
 
@@ -48,10 +48,10 @@ bool is_stable_by_energy(const SparsePattern& pattern, const LinearMotion& motio
 ///   c|s|m ≤ −Re d + |n|/|s|                                                               (6b)
 ///   |s| ≤ max(−Re d, 0)/(cm) + (|n|/(cm))^½                                               (6c)
 /// Neither K₊, the stiffness of taut members, nor a C that damps affects (6c). The result is the largest
-/// value of (6c) over all unknowns. For an unknown, −Re d/m is the largest over all pairs with another
-/// unknown: minus the smaller eigenvalue of the 2 x 2 part of ½ (C + Cᵀ), relative to the masses. The result
-/// may be ten times too small, which does no harm: the greatest σ still finds rates that are ten times
-/// larger. An unknown without mass moves at the rate K/C.
+/// value of (6c) over all unknowns. For an unknown, −Re d/m is the largest value over all pairs with another
+/// unknown; the value of a pair is minus the smaller eigenvalue of the 2 x 2 part of ½ (C + Cᵀ), relative to
+/// the masses. The result may be ten times too small, which does no harm: the greatest σ still finds rates
+/// that are ten times larger. An unknown without mass moves at the rate K/C.
 double fastest_growth(const SparsePattern& pattern, const LinearMotion& motion, double fraction);
 
 /// Calls visit(row, column, values[slot]…) for every entry of whole matrices of one pattern, symmetric or

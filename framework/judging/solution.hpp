@@ -17,7 +17,7 @@ struct OtherShape {
 /// (framework/search/shapes.hpp).
 struct Shapes {
   bool by_energy = false;  // whether the solution is the equilibrium of least energy, not the first one found
-  int restarts = 0, times = 1;  // times: how often the solution was found, at least 1
+  int restarts = 0, times = 1;  // `times`: how often the solution was found, at least 1
   std::vector<OtherShape> others;
 };
 

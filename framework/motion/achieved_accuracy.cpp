@@ -10,7 +10,7 @@ namespace netloft {
 
 namespace {
 
-// Ratios r between the steps of the second and of the first march (achieved_accuracy.hpp): kShorter if
+// Ratio r of the steps of the second march to those of the first (achieved_accuracy.hpp): kShorter if
 // stability limits the steps, otherwise kLonger.
 constexpr double kLonger = 2, kShorter = 0.5;
 // Least relative difference between the mean steps of both marches. Steps that differ by less give no

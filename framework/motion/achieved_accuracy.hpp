@@ -15,18 +15,18 @@
 namespace netloft {
 
 /// Achieved accuracy of a march (an integration in time), relative to the longest element: the estimated
-/// errors of single steps, if steps are adaptive, and the error of the path, if the user requested it. Errors
-/// of single steps do not give the error of the path, because a motion can amplify them, and fixed steps have
-/// no error estimate. Therefore the host can integrate a second time, with steps r times as long (r = 2, or ½
-/// if stability limits the steps). It estimates the error of the path as
+/// errors of single steps (only if steps are adaptive), and the error of the path (only if the user requested
+/// it). Errors of single steps do not give the error of the path, because a motion can amplify them, and
+/// fixed steps have no error estimate. Therefore the host can integrate a second time, with steps r times as
+/// long (r = 2, or ½ if stability limits the steps). It estimates the error of the path as
 ///   the largest distance of a node between the two marches at an output / min(1, |r − 1|)       (1)
 /// where r is the ratio of the mean steps. Outputs at which r differs from 1 by less than a tenth are
-/// ignored; if all are ignored, the error is unknown. The estimate is an upper bound if the error is at least
-/// proportional to the step. In a chaotic motion, such as the fall of a slack chain or the motion after a
-/// snap, any error grows until it is as large as the motion, no matter how short the steps are. The host
-/// therefore compares the second march with a third one, which has the same steps and a start displaced by
-/// 1e-7 of the longest element. As soon as the second and the third march differ by more than the accuracy,
-/// the path cannot be predicted any more, and (1) is no longer updated.
+/// ignored; if all outputs are ignored, the error is unknown. The estimate is an upper bound if the error is
+/// at least proportional to the step. In a chaotic motion, such as the fall of a slack chain or the motion
+/// after a snap, any error grows until it is as large as the motion, no matter how short the steps are. The
+/// host therefore compares the second march with a third one, which has the same steps and a start displaced
+/// by 1e-7 of the longest element. As soon as the second and the third march differ by more than the
+/// accuracy, the path cannot be predicted any more, and (1) is no longer updated.
 struct AchievedAccuracy {
   double asked = 0;    // requested accuracy of the path
   double element = 0;  // extent of the longest element along one axis [m]
@@ -56,8 +56,8 @@ struct AchievedAccuracy {
 MarchSettings settings_of_comparison(const MarchSettings& settings, bool is_bounded_by_stability);
 
 /// Limits of the second and the third march (integration in time, see AchievedAccuracy): `limits`, but with a
-/// tolerance no larger than the relative displacement of disturb(), because larger errors would hide that
-/// displacement.
+/// tolerance no larger than the relative displacement of disturb(), because larger errors of steps would hide
+/// the displaced start.
 Limits limits_of_comparison(const Limits& limits);
 
 /// Settings of the third march, with which the second one is compared.
@@ -69,8 +69,8 @@ void disturb(MarchState& start, double element);
 void note_step_error(const StepControl& control, const Numbering& numbering, std::span<const double> error,
                      double t, MarchState& state);
 
-/// Evaluates (1) for the node positions of two marches (integrations in time) at time t, and stores it if it
-/// exceeds the previous values. `longer` is r: the steps of the other march are r times as long.
+/// Evaluates (1) for the node positions of two marches (integrations in time) at time t, and stores the
+/// result if it exceeds all previous ones. `longer` is r: the steps of the other march are r times as long.
 void note_path_error(const std::vector<double>& here, const std::vector<double>& there, double t,
                      double longer, MarchState& state);
 

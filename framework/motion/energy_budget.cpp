@@ -11,9 +11,9 @@ namespace netloft {
 
 namespace {
 
-/// Fraction of a step over which the power of winches is evaluated: short enough for a loaded rope to stay
-/// taut while it is paid out, and long enough for differences of energies to have 10 digits. Values from 1e-3
-/// to 1e-8 give the same work of a loaded winch within 0.1 %; 1e-2 gives 8 % less.
+/// Fraction of a step over which the power of winches is evaluated. It is so small that a loaded rope stays
+/// taut while it is paid out, and so large that differences of energies have 10 digits. Values from 1e-3 to
+/// 1e-8 give the same work of a loaded winch within 0.1 %; 1e-2 gives 8 % less.
 constexpr double kPartOfStep = 1e-4;
 
 /// Whether a term is a damper: it resists a velocity and depends neither on the flow of water nor on a
@@ -88,10 +88,10 @@ void EnergyBudget::retract() {
   std::swap(now_, next_);
 }
 
-/// Adds the work of winches in a step, (7) of energy_budget.hpp, from the power ∂E/∂t at both ends of the
-/// step, each at constant positions. Changing the rope length by that of the whole step, at constant
-/// positions, would be wrong: it would stretch the rope by all the length hauled in during the step, many
-/// times its actual strain, and E rises with the square of the strain.
+/// Adds the work of winches in a step, (7) of energy_budget.hpp, from the power ∂E/∂t, at constant positions,
+/// at both ends of the step. A difference of E over the whole step at constant positions would be wrong: the
+/// rope would be stretched by all the length hauled in during the step, many times its actual strain, and E
+/// rises with the square of the strain.
 bool EnergyBudget::add_winches(const MeanStep* mean) {
   if (mean) return add_winches_of_means(mean->t);
   const double h = next_.t - now_.t;
@@ -114,7 +114,7 @@ bool EnergyBudget::find_power(const Moment& m, double h, double& power) {
 }
 
 /// Adds the work of winches, (7) of energy_budget.hpp, in a step with mean forces, whose middle is at the
-/// time `middle`. This work is the part of the energy change that is not the work of the mean forces.
+/// time `middle`. This work is the change of the energy minus the work of the mean forces.
 bool EnergyBudget::add_winches_of_means(double middle) {
   double early[2], late[2];
   if (!find_energies(now_.x, now_.t, early[0], false) || !find_energies(now_.x, next_.t, late[0], false) ||
@@ -143,8 +143,8 @@ bool EnergyBudget::add_ends() {
   return true;
 }
 
-/// Adds the work of all forces in a step with mean forces, (8) of energy_budget.hpp. The rates of guided
-/// degrees of freedom (moved along given paths) are replaced by displacement over step length.
+/// Adds the work of all forces in a step with mean forces, (8) of energy_budget.hpp. For guided degrees of
+/// freedom (moved along given paths), the rate is the displacement divided by the step length.
 bool EnergyBudget::add_means(const MeanStep& mean, double kinetic_before) {
   state_.set(mean.t, mean.u, mean.v, mean.a);
   middle_ = state_.x();

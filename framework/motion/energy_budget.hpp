@@ -25,8 +25,8 @@ namespace netloft {
 /// that begins to act within a step must not count as if it had acted for half of the step. For the
 /// trapezoidal rule on a linear system, (1) and the budget hold exactly.
 ///
-/// If a scheme uses mean forces (MeanStep), the budget sums their work instead. For a step of length h from
-/// x₀ to x₁, with the forces f in its middle:
+/// If a scheme uses mean forces (MeanStep), the budget sums the work of the mean forces instead. For a step
+/// of length h from x₀ to x₁, with the forces f in its middle:
 ///   (5) f_k·Δq,   (6) reaction·Δq,   (7) change of E(x₀) and of E(x₁) from either end's time to the middle's
 ///   (4) h f_M·½(v₀ + v₁) − Δ(3),  f_M the force of inertia                               (8)
 /// Then (1) holds to the tolerance of the solver, and `numerical` is the energy taken by the damping of the
@@ -54,8 +54,8 @@ class EnergyBudget {
   /// Energies of the last state, and work since the start, for EnergyJudge.
   struct Totals {
     double kinetic = 0, stored = 0, numerical = 0;
-    std::vector<double> given;  // work done on the gear by holds, by winches, and by each force without an
-                                // energy; negative: taken from it
+    std::vector<double> given;  // work done on the gear by holds, by winches, and by each nonconservative
+                                // force; negative: work taken from the gear
   };
   Totals totals() const;
   /// The sums since the start. A resumed march calls `begin` at the same state and then continues with these
@@ -65,7 +65,7 @@ class EnergyBudget {
 
  private:
   /// The energy or work of all active terms with the same name, such as "drag", together. `value` is their
-  /// current energy, or, for terms without an energy, the sum of their work.
+  /// current energy if they are conservative, otherwise the sum of their work.
   struct Account {
     std::string name;
     std::vector<std::pair<std::size_t, std::size_t>> terms;  // indices of family and term

@@ -7,18 +7,18 @@
 
 namespace netloft {
 
-/// Decides whether a time scheme has created energy in a motion, so that it contains energy that nothing
+/// Decides whether a time scheme has created energy, so that the motion contains energy that nothing
 /// supplied. Each examined step represents n steps. Δ is the change of an EnergyBudget::Totals over an
 /// examined step; sums run over the examined steps, maxima over time. K₀ and E₀ are the kinetic and the
-/// stored energy at the start, E the stored energy, and k counts holds, winches and forces without an energy:
+/// stored energy at the start, E the stored energy, and k counts holds, winches and nonconservative forces:
 ///   made = −Σ n Δnumerical                                                                (1)
 ///   given = K₀ + max(E₀ − E) + Σ_k max(Σ n Δgiven_k)                                       (2)
 ///   lost: made > ½ given + W, ten times in a row, or at the last examination                (3)
 /// W [J] is a negligible work. A single violation is not enough, because a stable scheme may overshoot in its
-/// first steps if they are far longer than the periods of the fast modes; the scheme takes that energy back
-/// in the following steps. In gear-library/scenes/dynamics, with all schemes and accuracies, made/given is at
-/// most 0.15 in motions whose path is accurate to 2 %. Motions in which it reaches ½ go on to 0.8 to 3·10⁸,
-/// with path errors of 4 % of the extent or more.
+/// first steps if they are far longer than the periods of the fast modes; the scheme removes this energy in
+/// the following steps. In gear-library/scenes/dynamics, with all schemes and accuracies, made/given is at
+/// most 0.15 in motions whose path is accurate to 2 %. In motions in which made/given reaches ½, it rises
+/// further to 0.8 … 3·10⁸, and path errors are at least 4 % of the extent.
 class EnergyJudge {
  public:
   void begin(const EnergyBudget::Totals& at, double negligible) {

@@ -8,7 +8,7 @@ namespace netloft {
 
 namespace {
 
-// If no energy budget is kept and steps are short, one of this many steps is examined.
+// If no energy budget is kept and steps are short, one step in this many is examined.
 constexpr int kStepsPerExamination = 16;
 
 }  // namespace

@@ -7,15 +7,15 @@
 
 namespace netloft {
 
-/// Examines the energy of the steps of a march (an integration in time): of all steps if an energy budget is
-/// kept, otherwise of some. A scheme can miss the snap of a rope between two points at which it evaluates
+/// Examines the energy of the steps of a march (an integration in time): all steps if an energy budget is
+/// kept, otherwise some. A scheme can miss the snap of a rope between two points at which it evaluates
 /// forces. Therefore the energy of an examined step must satisfy, with `given` and W of energy_judge.hpp at
 /// its end,
 ///   |Δnumerical| ≤ accuracy (given + W)                                                     (1)
 /// Δnumerical is the energy that the scheme takes out of the motion in the step. The energy that a snap takes
-/// or creates is proportional to the step length h, whereas the error of a step is proportional to h³. When
-/// only the error was controlled, a chain needed steps of 1e-7 s at an accuracy of 5e-5, and still failed. If
-/// no budget is kept and stability requires short steps, every 16th step is examined.
+/// or creates is proportional to the step length h, whereas the error of a step is proportional to h³. With
+/// control of the error alone, a chain needed steps of 1e-7 s at an accuracy of 5e-5, and still failed. If no
+/// budget is kept and stability requires short steps, every 16th step is examined.
 class EnergyWatch {
  public:
   /// `makes_short_steps`: whether stability requires short steps.
@@ -53,7 +53,7 @@ class EnergyWatch {
   const MarchSettings& settings_;
   bool makes_short_steps_;
   EnergyBudget budget_;
-  EnergyJudge judge_, tried_;  // judge_ as it will be if the attempted step is accepted: tried_
+  EnergyJudge judge_, tried_;  // tried_ is judge_ after the attempted step
 };
 
 }  // namespace netloft

@@ -14,13 +14,13 @@ namespace netloft {
 namespace {
 
 constexpr int kMostLanczosSteps = 60;
-/// Least number of Lanczos steps. The first vector contains other modes than the known one only with the
-/// fraction kPartOfOthers/√n, so that they have to grow before they are visible. With fewer steps, the
-/// residual could become small before they are.
+/// Least number of Lanczos steps. In the first vector, every mode other than the known one has only the
+/// fraction kPartOfOthers/√n and has to grow before it is visible. With fewer steps, the residual could
+/// become small before that.
 constexpr int kLeastSteps = 12;
 constexpr double kPartOfOthers = 0.1, kResidual = 0.05;
 /// If the length β of a new vector in (1) of highest_frequency.hpp is at most this fraction of the largest α,
-/// the vector is rounding error: the vectors before it then span all modes that the first vector contains.
+/// the vector is rounding error: the previous vectors already span all modes that the first vector contains.
 /// Further steps would give copies of modes, for which the QR algorithm can fail to converge.
 constexpr double kExhausted = 1e-10;
 
@@ -110,7 +110,8 @@ void scale(const Pencil& pencil, std::vector<double>& x, double to) {
 
 }  // namespace
 
-/// The iteration runs a second time for the mode, so that the vectors of the first run need not be stored.
+/// The iteration runs a second time to sum up the mode, so that the vectors of the first run need not be
+/// stored.
 HighestMode find_highest_mode(const Pencil& pencil) {
   Lanczos first(pencil, noise(pencil.size));
   for (int k = 0; k < kMostLanczosSteps && !first.has_ended(); ++k) first.step();

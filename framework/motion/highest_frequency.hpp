@@ -29,8 +29,8 @@ HighestMode find_highest_mode(const Pencil& pencil);
 
 /// The highest frequency of a pencil (matrices K and M) similar to another one, whose highest mode is
 /// `shape`. The iteration starts from this mode plus a small part of every other mode, so that it also finds
-/// stiffer modes orthogonal to `shape`. It ends when the residual is at most a twentieth of ω², which bounds
-/// the overestimate.
+/// stiffer modes orthogonal to `shape`. It ends when the residual, which bounds the overestimate of ω², is at
+/// most a twentieth of ω².
 double highest_frequency_near(const Pencil& pencil, std::span<const double> shape);
 
 }  // namespace netloft

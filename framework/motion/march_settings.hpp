@@ -18,8 +18,8 @@ struct MarchSettings {
   bool dense = false;          // outputs may lie between the ends of steps; otherwise steps end at outputs
   bool budget = true;          // keep the energy budget
   bool judged = true;          // fail if the motion has energy that nothing supplied
-  bool check = false;          // compare with a second integration, with longer or shorter steps
-  bool disturb = false;        // this is another integration for comparison: displace the start slightly
+  bool check = false;          // compare with a second integration that has longer or shorter steps
+  bool disturb = false;        // displace the start slightly, for a march that is compared with another
   double pace = 1;             // factor on all step lengths
   double mass_damping = 0;     // c of the force −c M v [1/s]
 

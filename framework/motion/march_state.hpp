@@ -47,15 +47,14 @@ struct MarchState {
   // Largest error so far by (1) of achieved_accuracy.hpp [m], and its time [s]; NaN: not compared yet.
   double path_error = std::numeric_limits<double>::quiet_NaN(), path_at = 0;
   std::uint64_t path_of = 0;  // node of path_error
-  /// First output [s] at which a march from a disturbed start differs by more than the accuracy.
+  /// Time of the first output at which a march from a disturbed start differs by more than the accuracy [s].
   double parted_at = std::numeric_limits<double>::infinity();
 
   /// Mean length of the steps so far [s]; NaN before the first step.
   double mean_step() const { return t / static_cast<double>(steps); }
 };
 
-/// The state in which nothing moves: nodes are at their initial positions or, if u is given, displaced from
-/// them by u.
+/// The state in which nothing moves: nodes are at their initial positions, displaced by u if u is given.
 MarchState state_at_rest(const Assembler& assembler, std::span<const double> u = {});
 
 }  // namespace netloft

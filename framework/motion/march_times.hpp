@@ -17,7 +17,7 @@ class MarchTimes {
   double output(std::size_t i) const;
   /// Whether a march with these settings has an output at time t of another march.
   bool is_output(double t) const;
-  /// The next time after t at which a step must end. Skips a time that differs from t only by rounding.
+  /// The next time after t at which a step must end. A time that differs from t only by rounding is skipped.
   double next_corner(double t) const;
 
  private:

@@ -11,8 +11,8 @@ namespace netloft {
 
 namespace {
 
-// If an inertia is below this fraction of the largest inertia, it counts as rounding error: all masses of the
-// body lie on its axis.
+// An inertia about an axis counts as rounding error below this fraction of the largest inertia: all masses of
+// the body then lie on the axis.
 constexpr double kLeastInertia = 1e-12;
 
 using Block3 = Eigen::Matrix3d;

@@ -15,10 +15,10 @@ struct MissingInertia {
 };
 
 /// Finds bodies whose own elements give them no mass, or no inertia about some axis about which they can
-/// turn. (Other elements, joined to points of the body, are not counted: they add so little inertia that
-/// nothing would limit the speed at which the body turns.) Massless nodes are found only if `with_nodes`:
-/// explicit schemes divide by their masses, whereas implicit schemes assume them to be in equilibrium. Masses
-/// are those at the start. Returns an empty list if they cannot be evaluated there, see Assembler::fault.
+/// turn. (Elements joined to points of the body are not counted: they add so little inertia that nothing
+/// would limit the speed at which the body turns.) Massless nodes are found only if `with_nodes`: explicit
+/// schemes divide by the masses of nodes, whereas implicit schemes assume massless nodes to be in
+/// equilibrium. Masses are evaluated at the start. Returns an empty list if this fails, see Assembler::fault.
 std::vector<MissingInertia> find_missing_inertia(const Scene& scene, const ScenePlan& plan,
                                                  Assembler& assembler, bool with_nodes);
 

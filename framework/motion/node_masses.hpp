@@ -7,8 +7,8 @@
 
 namespace netloft {
 
-/// The mass matrix without coupling of nodes: a block of up to 3 x 3 per node, or 6 x 6 per rigid body, with
-/// added mass. Each block is inverted separately.
+/// The mass matrix, including added mass, without coupling between nodes: a block of up to 3 x 3 per node, or
+/// 6 x 6 per rigid body. Each block is inverted separately.
 class NodeMasses {
  public:
   explicit NodeMasses(Assembler& assembler);

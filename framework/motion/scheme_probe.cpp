@@ -17,14 +17,16 @@ namespace {
 // Forces up to this fraction of the load may be unbalanced at the start, because of the tolerance with which
 // the start was found.
 constexpr double kDrives = 1e-3;
-// Distances below this many rounding errors of the largest displacement count as rounding errors.
+// A distance counts as rounding error if it is less than this many rounding errors of the largest
+// displacement.
 constexpr double kRoundings = 1e4;
-// Shortest step, relative to that of the march. For the motions of the library, whose stiffest modes are far
-// faster than the steps of a march, the shipped schemes pass with 1e-3 or longer steps.
+// Shortest step, relative to the step of the march. For the motions of the library, whose stiffest modes are
+// far faster than the steps of a march, the shipped schemes pass with 1e-3 or longer steps.
 constexpr double kShortest = 1e-7;
-// Largest relative error in either half of (1). In the motions of the library, the shipped schemes leave a
-// smaller fraction of the forces at 0.1 to 0.001 of their steps, and their displacements differ by at most
-// 0.36 even at 0.1. A scheme that does nothing has an error of 1 in both halves, with any step.
+// Largest relative error in either half of (1). For the motions of the library, the forces that the shipped
+// schemes leave are a smaller fraction with steps of 0.1 to 0.001 of the step of the march, and the error of
+// their displacements is at most 0.36 even at 0.1. A scheme that does nothing has an error of 1 in both
+// halves, with any step.
 constexpr double kMissed = 0.5;
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace netloft {
 ///   F(t, u, v, (v_new − v)/h) → 0  and  (u_new − u)·v → h v·v                                (1)
 /// for h → 0, even if some modes are faster than any step of the march. Steps are shortened tenfold until the
 /// remaining forces are at most half of F(t, u, v, 0) and the second half of (1) holds within a half. If no
-/// step achieves this, the scheme does not integrate this motion; it may do nothing at all. A half is far
+/// step satisfies this, the scheme does not integrate this motion; it may do nothing at all. A half is far
 /// above the errors by rounding and by the solver's tolerance, and far below the error of a scheme that does
 /// nothing. Unknowns without mass are left out.
 class SchemeProbe {
@@ -26,7 +26,7 @@ class SchemeProbe {
               const Limits& limits);
 
   /// Tests the scheme at a state, beginning with steps of a tenth of its h. Returns a sentence about the
-  /// fault. The sentence is empty if (1) holds, if no step could be taken, or if (1) says nothing because
+  /// fault. The sentence is empty if (1) holds, if no step could be taken, or if (1) cannot be tested because
   /// forces nearly balance and nothing moves.
   std::string fault_of(const StepScheme& scheme, const MarchState& at);
 

@@ -35,7 +35,7 @@ int settle(const void* parameters, netloft_problem* problem) {
   };
   const MarchState from = state_at_rest(s.scene.assembler, {problem->u, problem->unknowns});
   MarchSettings how = s.march;
-  how.judged = false;  // the motion may be wrong, because only the equilibrium matters
+  how.judged = false;  // only the equilibrium matters, so that the motion may be wrong
   const MarchResult r = march(s.scene, s.methods, s.limits, how, watch, &from);
   std::copy(r.u.begin(), r.u.end(), problem->u);
   if (r.status == MarchStatus::stopped) return NETLOFT_STOPPED;

@@ -11,8 +11,8 @@ class ShownState {
   ShownState(const Assembler& assembler, double mass_damping) : moving_(assembler, mass_damping) {}
 
   void show(const MarchState& at);
-  /// Makes the state at a time t within a step the shown one, by cubic interpolation from the positions and
-  /// velocities at both ends of the step.
+  /// Shows the state at a time t within a step, by cubic interpolation of the positions and velocities at
+  /// both ends of the step.
   void show_between(const MarchState& begin, const MarchState& end, double t);
 
   std::span<const double> u() const { return u_; }

@@ -13,14 +13,14 @@ namespace {
 /// members failed at 0.9; the chain created energy at 0.67 and none at 0.45.
 constexpr double kFractionOfLimit = 0.6;
 /// The accuracy a of (2) in step_control.hpp. Most scenes set an accuracy of 1e-2 or more, for which (2)
-/// changes nothing. The errors of a ball caught by a rope and of a net hit by a gust were proportional to
-/// powers of the accuracy: 0.5 and 0.8 with p = 3, the order of the schemes; with p = 2, the powers were 1.1
-/// and 1.3.
+/// changes nothing. For a ball caught by a rope and a net hit by a gust, errors were proportional to the
+/// accuracy to the power 0.5 and 0.8 with p = 3 (the order of the schemes), and to the power 1.1 and 1.3 with
+/// p = 2.
 constexpr double kProportional = 1e-2;
 /// Number of steps after which the stable step is determined from the tangent again. In 64 steps, a wave
-/// passes at most 64 elements, and an object at a hundredth of the wave speed passes less than one. The
-/// examination costs as much as two steps. With 16 instead of 64, the hard motions of tests/bench/motions
-/// take a tenth longer; with 256, the step lengths are the same within 1e-3.
+/// passes at most 64 elements, and an object that moves at a hundredth of the wave speed passes less than one
+/// element. The examination costs as much as two steps. The hard motions of tests/bench/motions take a tenth
+/// longer with 16 steps; with 256 steps, the step lengths agree with those for 64 within 1e-3.
 constexpr int kStepsPerTangent = 64;
 
 }  // namespace

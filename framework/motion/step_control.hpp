@@ -29,8 +29,8 @@ class StepControl {
   double element_size() const { return element_size_; }
   double error_over_tolerated(std::span<const double> error) const;
 
-  /// The step length of the settings. If the settings give no length, it is the time in which the
-  /// acceleration a moves a node by the allowed error.
+  /// The step length of the settings or, if they give none, the time in which the acceleration a moves a node
+  /// by the allowed error.
   double first_step(std::span<const double> a) const;
   /// Length of the next step by (1), after a step of length h whose error was `error` times the allowed one.
   double next_step(double h, double error) const;

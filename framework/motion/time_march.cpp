@@ -116,8 +116,7 @@ class March {
   }
 
   /// Whether the scheme follows the equation of motion from the current state (scheme_probe.hpp); if not, the
-  /// march fails. There is no test if the march only searches for an equilibrium, because then only its end
-  /// matters.
+  /// march fails. A march that only searches for an equilibrium is not tested, because only its end matters.
   bool follows() {
     if (!settings_.judged) return true;
     SchemeProbe probe(assembler_, settings_.mass_damping, methods_.solver, of_.make, without_work(limits_));
@@ -242,8 +241,8 @@ class March {
   /// Attempts a step. If some winches hold a tension, repeats the step until their speeds fit their tensions.
   int try_step(double h) {
     if (winches_.empty()) return try_once(h);
-    // The linear stiffness depends on rope lengths. It is evaluated again here, because a resumed march
-    // evaluates it here, too.
+    // The linear stiffness depends on rope lengths. It is evaluated anew here because a resumed march also
+    // evaluates it here.
     problem_.algebra().forget_metric();
     for (winches_.begin(state_.t, h);;) {
       const int status = try_once(h);
@@ -307,8 +306,8 @@ class March {
     return true;
   }
 
-  /// Computes the mean forces of the last step for outputs within it. Must be called before elements store
-  /// the end of the step in their memory. Returns false if an element failed.
+  /// Computes the mean forces of the last step, for outputs within this step. Must be called before elements
+  /// store the end of the step in their memory. Returns false if an element failed.
   bool find_mean_forces() {
     has_means_ = problem_.is_between() && times_.output(state_.outputs) <= state_.t;
     return !has_means_ || problem_.find_step_forces(state_.t, state_.u, state_.v, state_.a, mean_forces_);
@@ -327,7 +326,7 @@ class March {
     }
   }
 
-  /// Stores the state. The rest of the march depends on nothing else of its past.
+  /// Stores the state. The rest of the march depends on this state alone, not on anything before.
   void keep() {
     problem_.algebra().forget_factor();
     state_.memory = assembler_.memory();

@@ -37,7 +37,7 @@ struct Snapshot {
   double t;
   std::span<const double> u;
   std::span<const double> x, v;  // over all dofs: positions [m], velocities [m/s]
-  ForceMoment forces;            // forces at t if a step ends at t, else at the end of the step around t
+  ForceMoment forces;  // forces at t if a step ends at t, else at the end of the step that contains t
   // The energy budget at t, or at the end of the last step if outputs are dense; nullptr if no budget is
   // kept.
   const EnergyBudget* budget;
@@ -76,10 +76,9 @@ struct MarchWatch {
 /// Integrates in time from `from`, or from the start at rest if `from` is nullptr. Steps end at outputs
 /// (unless outputs are dense) and at times at which the rate of a guide, a current or a table in time jumps.
 /// step_control.hpp determines step lengths, energy_watch.hpp examines the energy of steps. With `check`, the
-/// host integrates a second time to estimate the error of the path by (1) of achieved_accuracy.hpp; if the
-/// second march has steps twice as long, this costs half as much again. A march with energy that nothing
-/// supplied (energy_judge.hpp) fails. `limits.work` bounds the work of all steps together, if `limits.model`
-/// is given.
+/// host integrates a second time to estimate the error of the path by (1) of achieved_accuracy.hpp; a second
+/// march with steps twice as long costs half as much as the first. A march with energy that nothing supplied
+/// (energy_judge.hpp) fails. `limits.work` bounds the work of all steps together, if `limits.model` is given.
 MarchResult march(const AssembledScene& scene, const StepMethods& methods, const Limits& limits,
                   const MarchSettings& settings, const MarchWatch& watch, const MarchState* from = nullptr);
 

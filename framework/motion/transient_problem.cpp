@@ -28,10 +28,10 @@ const char* trouble_of(netloft_outcome outcome, Stop stop) {
 }
 
 /// Extrapolates an unknown that the elements of a part share from the middle of a step, where its equation
-/// holds, to the end of the step. Linear extrapolation (twice the middle minus the beginning) would oscillate
-/// from step to step without decay. If it ends a quarter of the step after the middle, errors decay by a
-/// factor of √½ per step (|λ| of λ² + λ/2 + 1/2 = 0), and a value that changes at a constant rate lags a
-/// quarter of a step behind.
+/// holds, to the end of the step. Linear extrapolation to the full end (twice the middle minus the beginning)
+/// would oscillate from step to step without decay. If the extrapolation stops a quarter of the step after
+/// the middle, errors decay by a factor of √½ per step (|λ| of λ² + λ/2 + 1/2 = 0), and a value that changes
+/// at a constant rate lags a quarter of a step behind.
 double end_of_shared(double middle, double h, double v) { return middle + 0.25 * h * v; }
 
 }  // namespace
@@ -117,8 +117,8 @@ int TransientProblem::solve(double t, const double* v0, double cv, const double*
   return solve_step({t, {v0, size()}, {a0, size()}, cv, ca, {}, &state_, least_load_}, u);
 }
 
-/// Solves for the displacements m in the middle of the step. The displacements at its end are 2 m − u, and
-/// the rates are expressed by m.
+/// Solves for the displacements m in the middle of the step. The displacements at the end of the step are 2 m
+/// − u, and the rates are linear in m.
 int TransientProblem::solve_between(const double* v0, double cv, const double* a0, double ca, double damping,
                                     double memory, double* u) {
   const netloft_motion& m = interface_;

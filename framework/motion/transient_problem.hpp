@@ -35,7 +35,7 @@ class TransientProblem {
   /// Masses of the unknowns at the last state for which accelerations were found, without their coupling
   /// [kg].
   std::vector<double> masses() const { return masses_.diagonal(); }
-  /// Balance of the forces in the last evaluation. After `start`, it is the balance without inertia.
+  /// Balance of the forces in the last evaluation; after start(), the balance without inertia.
   Balance balance() { return algebra_.balance(state_.x(), residual_); }
   /// Highest angular frequency of the linear stiffness and the masses at the start [rad/s].
   double highest_frequency();
@@ -46,8 +46,8 @@ class TransientProblem {
   double highest_frequency_at(std::span<const double> u);
   /// The reason for which explicit schemes cannot be used; empty if they can.
   std::string obstacle_to_explicit(const Scene& scene);
-  /// Tolerances are relative to a load [N]. Raises this load to the largest load in `residual` (over all
-  /// dofs), unless it is larger already.
+  /// Raises the load to which tolerances are relative [N] to the largest load in `residual` (over all dofs).
+  /// A larger load stays unchanged.
   void note_loads(std::span<const double> residual);
   /// The midpoint of the last step, which ends at displacements u and is not accepted yet; nullptr if the
   /// step did not use mean forces, or if an element failed (Assembler::fault).

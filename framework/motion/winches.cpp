@@ -9,15 +9,15 @@ namespace netloft {
 
 namespace {
 
-// Largest error of a speed, relative to the largest speed; it corresponds to a tension of a thousandth of the
-// band.
+// Largest error of a speed, relative to the largest speed; it corresponds to an error of the tension of a
+// thousandth of the band.
 constexpr double kSettled = 1e-3;
 // Limit of attempts per step. After half of them, the matrix S of (3) in winches.hpp is measured again, in
 // attempts that do not count.
 constexpr int kMostTries = 12;
 constexpr double kMeasured = 0.02;  // change of speed to measure S, relative to the largest speed
-// Number of sweeps over the winches to solve (2) and (3) of winches.hpp. A few suffice, because the gear
-// couples winches only weakly.
+// Number of sweeps over the winches to solve (2) and (3) of winches.hpp. A few sweeps suffice, because the
+// gear couples winches only weakly.
 constexpr int kSweeps = 30;
 constexpr double kLeastLeft =
     0.05;  // least fraction of a rope that remains; bars of a shorter rest would be too stiff for any step
@@ -190,8 +190,9 @@ void Winches::improve_slopes(std::span<const double> tensions) {
   }
 }
 
-/// Measures the matrix S of (3) in winches.hpp: in each attempt, another winch runs a little faster than in
-/// the first attempt. After the last attempt, the speeds of all winches follow from (2) and (3).
+/// Measures the matrix S of (3) in winches.hpp. In each attempt after the first, one winch runs a little
+/// faster than in the first, a different winch each time. After the last attempt, the speeds of all winches
+/// follow from (2) and (3).
 Winches::Verdict Winches::measure_slopes(std::span<const double> tensions) {
   const std::size_t n = ropes_.size(), done = measured_.size() / n;
   if (measured_.empty())
@@ -228,8 +229,8 @@ void Winches::solve_all() {
   for (const std::size_t k : holding_) ropes_[k].w = w[k];
 }
 
-/// Solves (2) of winches.hpp for the speed of one winch. `others` is the change of its tension by the other
-/// winches [N].
+/// Solves (2) of winches.hpp for the speed of winch k. `others` is the change of its tension that the other
+/// winches cause [N].
 double Winches::solve_one(std::size_t k, double others) const {
   const WinchStage& stage = *ropes_[k].stage;
   const double S = std::min(slope(k, k), 0.0);

@@ -16,8 +16,8 @@ struct WinchMoment {
   double tension = 0;  // mean tension at the block in the last step, if the winch holds a tension [N]
 };
 
-/// The winches of a moving scene. In a step of length h from t₀, at the speed w at which a winch pays out,
-/// all lengths of its rope are multiplied by
+/// The winches of a moving scene. In a step of length h from t₀, a winch that pays out at the speed w
+/// multiplies all lengths of its rope by
 ///   σ(t) = σ₀ + (t − t₀) w/L                                                                      (1)
 /// with σ₀ the factor at t₀ and L the length of the rope at σ = 1. A winch that follows speeds or lengths
 /// pays out by its table. The speed of a winch that holds a tension is the solution of
@@ -25,11 +25,11 @@ struct WinchMoment {
 /// with T̄ the mean tension at the block in the step, T* the required tension in its middle, D the dead band,
 /// B the band and v the largest speed. This is the curve of a pressure-controlled drive: it stops while the
 /// tension is nearly right, and runs faster the larger the error. The drum has no mass. (2) has one solution
-/// if paying out reduces the tension. It is found with
+/// if paying out reduces the tension. The speeds of all winches that hold a tension are found together, with
 ///   T̄(w + s) = T̄(w) + S s                                                                         (3)
-/// for all winches that hold a tension together, with a matrix S. S is measured once by differences, and then
-/// updated after C. G. Broyden (Math. Comput. 19, 1965) from attempt to attempt and from step to step; each
-/// attempt solves the step again. Steps end when the control of a winch changes (WinchStage).
+/// where S is a matrix, which is measured once by differences and then updated after C. G. Broyden (Math.
+/// Comput. 19, 1965) from attempt to attempt and from step to step. Each attempt solves the step again. Steps
+/// end when the control of a winch changes (WinchStage).
 class Winches {
  public:
   enum class Verdict { settled, again, lost };
@@ -42,7 +42,7 @@ class Winches {
   void add_corners(std::vector<double>& times) const;
   /// Sets the rope lengths that elements read to those of the last step.
   void restore();
-  /// Begins an attempted step, for which winches first keep the speeds of the last step.
+  /// Begins an attempted step. In the first attempt, winches keep the speeds of the last step.
   void begin(double t, double h);
   /// Whether some winch holds a tension in this step, so that `judge` has to be called.
   bool hold_tensions() const { return !holding_.empty(); }
@@ -64,7 +64,7 @@ class Winches {
 
  private:
   struct Rope {
-    std::span<double> table;            // two rows: time t, length factor σ, at both ends of the step
+    std::span<double> table;            // two rows (time t, length factor σ) for the two ends of the step
     double before = 1, now = 1;         // σ at both ends of the last step
     double speed = 0, tension = 0;      // speed and tension in the last step [m/s], [N]
     double w = 0, T = 0;                // speed and tension of this attempt
@@ -94,7 +94,7 @@ class Winches {
   std::vector<std::size_t> holding_;  // winches that hold a tension in this attempt
   // S by rows, with zeros for winches that hold no tension [N s/m]; empty: unknown.
   std::vector<double> slopes_;
-  std::vector<double> measured_;  // S during its measurement, by columns
+  std::vector<double> measured_;  // while S is measured: tensions of the first attempt, then columns of S
   std::vector<double> last_w_;    // speeds of the previous attempt [m/s]
   double from_ = 0, until_ = 0;   // begin and end of the last step [s]
   double t_ = 0, h_ = 0;          // begin and length of this attempt [s]

@@ -15,9 +15,9 @@ namespace detail {
 
 inline char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
-/// Damerau-Levenshtein distance (optimal string alignment): the number of letters to insert, remove, replace
-/// or swap with the next one; letter case is ignored. d(i,j) is the distance of the first i letters of a and
-/// the first j of b:
+/// Damerau-Levenshtein distance (optimal string alignment): the number of letters that must be inserted,
+/// removed, replaced or swapped with the next letter. Letter case is ignored. d(i,j) is the distance of the
+/// first i letters of a and the first j of b:
 ///   d(i,j) = min( d(i-1,j)+1, d(i,j-1)+1, d(i-1,j-1)+[aᵢ≠bⱼ], d(i-2,j-2)+1 if aᵢaᵢ₋₁ = bⱼ₋₁bⱼ )   (1)
 inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
@@ -39,8 +39,9 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace detail
 
-/// The candidate that `word` most likely means: at most a third of its letters may be wrong, or one in a
-/// short word. Returns nullopt if no candidate is similar, and the first one if several are equally similar.
+/// The candidate that `word` most likely means. At most a third of the letters of `word` may be wrong, or one
+/// letter in a short word. Returns nullopt if no candidate is similar, and the first one if several are
+/// equally similar.
 inline std::optional<std::string> nearest(std::string_view word, std::span<const std::string> candidates) {
   constexpr std::size_t kLongestWord = 64;  // bounds the work for meaningless input
   if (word.empty() || word.size() > kLongestWord) return std::nullopt;

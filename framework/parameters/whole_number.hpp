@@ -6,7 +6,7 @@
 
 namespace netloft {
 
-/// Largest number up to which every whole number is a double, 2^53.
+/// Up to this number, 2^53, every whole number can be stored as a double.
 inline constexpr double kMostWhole = 0x1p53;
 
 /// Returns the value as a whole number, or nullopt if it is not whole or exceeds kMostWhole.

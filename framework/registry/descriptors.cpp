@@ -156,7 +156,7 @@ std::string numbers_in(std::uint32_t width, const std::string& unit) {
   return std::to_string(width) + (unit == "1" ? " pure " + noun : " " + noun + " in " + unit);
 }
 
-/// Checks the width and unit of data that the host provides, which are those with a name in element_data.hpp.
+/// Checks the width and unit of data that the host provides (element_data.hpp lists their names).
 void check_data(const ElementType& e, const std::string& owner, Faults& faults) {
   check_names(e.data, owner, "datum", faults);
   for (const auto& d : e.data)
@@ -272,8 +272,8 @@ void read_offers(ElementType& e, Faults& faults) {
   e.rides_on = read_offer<netloft_rider>(extension, NETLOFT_EXT_PAIRS, e.type, faults).rides_on;
 }
 
-/// Reads the list of inputs of an element. An input of an unknown extension keeps its place in the list,
-/// where tiles then have nullptr.
+/// Reads the list of inputs of an element. An input of an unknown extension keeps its place in the list;
+/// tiles have nullptr at this place.
 void read_inputs(ElementType& e) {
   for (auto id = e.element.inputs; id && *id; ++id) e.inputs.push_back(find_extension_input(*id));
 }

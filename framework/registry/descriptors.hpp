@@ -41,8 +41,8 @@ T read_struct(const T* from) {
   return to;
 }
 
-/// Limits of a plausible table: at most kMostRows rows, each at least kLeastRow bytes long, enough for the
-/// size of the row and one more 32-bit number.
+/// Limits of a plausible table: at most kMostRows rows of at least kLeastRow bytes each, which hold the size
+/// of the row and one more 32-bit number.
 inline constexpr std::uint32_t kMostRows = 4096, kLeastRow = 8;
 
 /// Copies the rows of a table. Throws std::length_error if count or row length are not plausible.
@@ -72,10 +72,10 @@ struct ElementType {
   std::vector<netloft_output> outputs;
   std::vector<netloft_law_slot> laws;
   std::vector<netloft_global> globals;
-  netloft_element_members members{};  // all zeros: the element has no members
-  netloft_flow flow{};                // all zeros: the element does not change the water
-  std::uint32_t state_width = 0;      // numbers that each element remembers
-  const char* rides_on = nullptr;  // element on whose pairs the host makes this one; nullptr: users make it
+  netloft_element_members members{};   // all zeros: the element has no members
+  netloft_flow flow{};                 // all zeros: the element does not change the water
+  std::uint32_t state_width = 0;       // numbers that each element remembers
+  const char* rides_on = nullptr;      // the host makes this element on pairs of that one; nullptr: users do
   std::vector<ExtensionInput> inputs;  // inputs of tiles, in the order that the element lists
   const PluginOrigin* origin = nullptr;
 
@@ -133,12 +133,12 @@ struct PluginContent {
   std::vector<StrategyType> strategies;
 };
 
-/// Reads and checks the description of a plugin. The plugin must have the name `stem`, that of its file.
-/// Throws PluginRefused with a sentence for each fault.
+/// Reads and checks the description of a plugin. The plugin must have the name `stem` of its file. Throws
+/// PluginRefused with a sentence for each fault.
 PluginContent read_plugin(const netloft_plugin* plugin, const std::string& file, const std::string& stem);
 
-/// Names of the parameters without which a term does nothing: it acts if at least one of them is not zero.
-/// Empty if the term always acts.
+/// Names of the parameters that a term needs: it acts only if at least one of them is not zero. Empty if the
+/// term always acts.
 std::vector<std::string> names_needed_by(const netloft_term& term);
 
 }  // namespace netloft

@@ -9,8 +9,8 @@ namespace netloft {
 
 namespace {
 
-/// Converts a datum of a single element to that of a pair of elements. If it has one number per corner, the
-/// pair has one number per node; otherwise, the pair has the numbers of both elements.
+/// Converts a datum of a single element to the datum of a pair of elements. A datum with one number per
+/// corner gets one number per node of the pair; any other datum gets the numbers of both elements.
 constexpr HostDatum of_pair(HostDatum datum, std::uint32_t corners, std::uint32_t nodes) {
   datum.width = datum.width == corners ? nodes : 2 * datum.width;
   return datum;

@@ -11,8 +11,8 @@
 namespace netloft {
 
 /// A datum (numbers of each element, such as its rest length) that the host provides to every element that
-/// declares it by this name. Code that fills or reads it uses the names below. Authors find the table in
-/// guides/element.md, and a test compares both.
+/// declares it by this name. Code that fills or reads the datum uses the names below. guides/element.md lists
+/// the same data for authors; a test compares both lists.
 struct HostDatum {
   const char* name;
   std::uint32_t width;  // how many numbers an element has
@@ -44,8 +44,8 @@ inline constexpr HostDatum kArm{
 
 /// The data that elements on a stencil may declare.
 std::span<const HostDatum> data_on(std::uint32_t stencil);
-/// Returns the datum with this name, or nullptr if the host does not provide it, so that the scene has to
-/// give it with the part.
+/// Returns the datum with this name, or nullptr if the host does not provide it; the scene then has to give
+/// it with the part.
 const HostDatum* find_datum_on(std::uint32_t stencil, std::string_view name);
 /// Returns the datum whose name is most similar to a misspelt one, or nullptr if none is similar.
 const HostDatum* find_datum_meant(std::uint32_t stencil, std::string_view name);

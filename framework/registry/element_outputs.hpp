@@ -7,9 +7,9 @@
 
 namespace netloft {
 
-/// An output of elements, of whatever plugin, that reports and pictures recognise by its name and unit.
-/// Authors find the table in guides/element.md, and a test compares both. Outputs that are tensions or doubts
-/// are recognised by their roles instead (netloft_output_role).
+/// An output that reports and pictures recognise by its name and unit, in elements of any plugin.
+/// guides/element.md lists the same outputs for authors; a test compares both lists. Outputs that are
+/// tensions or doubts are recognised by their roles instead (netloft_output_role).
 struct KnownOutput {
   const char *name, *unit, *use;
 };

@@ -23,7 +23,7 @@ void hand_out(const T& own, T& theirs, std::size_t least) {
 }
 
 /// Sizes of netloft_problem and netloft_members in the first versions of "netloft.solver/1" and
-/// "netloft.strategy/1": up to the last function that they had then.
+/// "netloft.strategy/1": up to the last function that they had in these versions.
 inline constexpr std::size_t kFirstProblem = offsetof(netloft_problem, evaluate_both) + sizeof(void*),
                              kFirstMembers = offsetof(netloft_members, progress) + sizeof(void*);
 

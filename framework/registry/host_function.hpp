@@ -9,7 +9,7 @@
 namespace netloft {
 
 /// A C function that a plugin calls. It forwards to a member function of the object to which `host` points.
-/// It catches all exceptions: it hands the message to Host::keep_message(), if there is such a function, and
+/// If an exception is thrown, it passes the message to Host::keep_message(), if this function exists, and
 /// returns NETLOFT_ERROR.
 template <auto Member>
 struct HostFunction;

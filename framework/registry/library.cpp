@@ -15,7 +15,7 @@ namespace netloft {
 
 namespace {
 
-/// Restores the floating-point mode at the end, and reports whether it has changed.
+/// Restores the floating-point mode when it is destroyed, and reports whether the mode has changed.
 class FloatingPointGuard {
  public:
   FloatingPointGuard() = default;
@@ -30,8 +30,8 @@ class FloatingPointGuard {
   const FloatingPointMode before_ = FloatingPointMode::now();
 };
 
-/// Returns the FNV-1a hash of 64 bits over words of eight bytes, padded with zeros. Hashing single bytes took
-/// a twentieth of the time of a short run.
+/// Returns the FNV-1a hash of 64 bits over words of eight bytes, padded with zeros. A hash over single bytes
+/// took a twentieth of the time of a short run.
 std::string fingerprint(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::uint64_t hash = 14695981039346656037ull;
@@ -53,7 +53,8 @@ std::string fingerprint(const std::filesystem::path& file) {
 namespace {
 
 /// Files that changed the floating-point mode when they were opened. Their start-up code runs only once, so
-/// that a second attempt would not notice the change. The list is global because the loader of a program is.
+/// that a second attempt would not notice the change. The list is global because a program has only one
+/// loader.
 class Changers {
  public:
   void add(const std::string& file) {

@@ -15,7 +15,7 @@
 namespace netloft {
 
 /// A call that a thread is making. If a plugin crashes or never returns, a signal handler or another thread
-/// reads here which function of the plugin was called.
+/// reads from it which function of the plugin was called.
 struct CallFrame {
   // Whose code is running: that of the host, of an element, or of a method (solver, strategy …). Methods call
   // the host in turn.
@@ -43,7 +43,8 @@ class CallStack {
   std::uint64_t crossings() const { return crossings_.load(std::memory_order_acquire); }
   /// Number of calls that methods made back to the host.
   std::uint64_t callbacks() const { return callbacks_.load(std::memory_order_relaxed); }
-  /// Least depth since the last call of `watch_depth`. Calls at a smaller depth have been running since then.
+  /// Least depth since the last call of watch_depth(). Calls at a smaller depth have been running all the
+  /// time since.
   std::uint32_t lowest() const { return lowest_.load(std::memory_order_relaxed); }
   void watch_depth() { lowest_.store(depth(), std::memory_order_relaxed); }
   CallFrame at(std::uint32_t i) const;
@@ -58,8 +59,8 @@ class CallStack {
   /// exception out of", and `detail` the text of the exception, if any. Until take_blame(), only the first
   /// note is kept.
   void blame(const char* did, const char* detail = nullptr) noexcept;
-  /// Whether the blamed plugin was called at a depth greater than `depth`. Calls at a smaller depth are still
-  /// under way; they ask again when they end.
+  /// Whether the blamed plugin was called at a depth greater than `depth`. A plugin that was called at a
+  /// smaller depth is still running; its call asks again when it ends.
   bool has_blame(std::uint32_t depth) const { return depth_of_blame_ > depth; }
   const char* blame_text() const { return blame_; }
   /// Returns the note as a sentence and deletes it. Example: "evil/weight let an exception out of term pull:
@@ -71,9 +72,9 @@ class CallStack {
       blame_for_mode();
   }
 
-  /// Stores the present floating-point mode as that of the host. A thread does this once, before its first
-  /// call of a plugin, because reading the mode before every call would take as long as the check after every
-  /// call.
+  /// Stores the present floating-point mode as the mode of the host. A thread does this only once, before its
+  /// first call of a plugin, because reading the mode before every call would take as long as the check after
+  /// every call.
   void take_mode_of_host() noexcept { mode_of_host_ = FloatingPointMode::now(); }
 
  private:
@@ -142,7 +143,8 @@ class PluginCall {
 
 /// Calls a function of a plugin. Returns its result, or `failed` if the plugin broke a rule of the plugin
 /// interface: if it let an exception out, or left another floating-point mode, which is restored.
-/// take_broken_rule() then has a sentence about it. A plugin that ends the thread ends the program.
+/// take_broken_rule() then returns a sentence about the broken rule. A plugin that ends the thread ends the
+/// program.
 template <class Body>
 std::invoke_result_t<Body> call_plugin(const CallFrame& frame, std::invoke_result_t<Body> failed,
                                        Body&& body) noexcept {
@@ -160,11 +162,11 @@ std::invoke_result_t<Body> call_plugin(const CallFrame& frame, std::invoke_resul
 }
 
 /// Returns a sentence about the first rule that a plugin broke on this thread since the last call of this
-/// function; empty if no rule was broken. This need not be the plugin that was called last: it may be a law
-/// that an element called. Ignores plugins that are still running.
+/// function; empty if no rule was broken. The plugin need not be the one that was called last: it may be a
+/// law that an element called. Ignores plugins that are still running.
 std::string take_broken_rule();
 /// Writes the sentence of take_broken_rule() into `text`, and returns whether there was one. If there was
-/// none, `text` is what a plugin wrote, and only its last byte is set to zero.
+/// none, `text` keeps what a plugin wrote, but its last byte is set to zero.
 bool take_broken_rule(std::span<char> text) noexcept;
 
 /// Records that a plugin has called the host during the lifetime of the object. The host computes in its own

@@ -124,7 +124,7 @@ const PluginContent& Registry::keep(PluginContent content) {
   return *slot;
 }
 
-/// Returns a text about files that the opened file hides: files of the same name in later folders of the
+/// Returns a text about the files that the opened file hides: those of the same name in later folders of the
 /// search path.
 std::string Registry::hidden(const std::string& name) const {
   const auto at = opened_.find(name);

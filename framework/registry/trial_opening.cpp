@@ -55,8 +55,8 @@ void die_of_signals() {
 
 void report(char word) { [[maybe_unused]] const auto written = write(kTalk, &word, 1); }
 
-/// Closes all files except the connection `talk`. Otherwise files of the program would stay locked until this
-/// process ends, because they are open here, too.
+/// Closes all files except the connection `talk`. Files of the program are open in this process, too, and
+/// would otherwise stay locked until it ends.
 void keep_only(int talk) {
   if (talk != kTalk) dup2(talk, kTalk);
 #if defined(SYS_close_range)
@@ -237,7 +237,7 @@ class Trials {
   bool is_fresh() const { return tried_ == 0; }
 
  private:
-  // owner_: the process that started the trials. After a fork, the new process starts trials of its own.
+  // owner_: the process that started the trials. A process forked from the owner starts trials of its own.
   pid_t process_ = -1, owner_ = -1;
   int talk_ = -1;
   int tried_ = 0;
@@ -280,14 +280,14 @@ std::string fault_on_trial(const std::filesystem::path& file) {
   const std::lock_guard lock(one_at_a_time);
   const std::string path = std::filesystem::absolute(file).string();
   for (;;) {
-    // Without resources of the system, the file is opened without a trial.
+    // If the system has no resources for a trial, the file is opened without one.
     if (!trials.is_running() && !trials.start()) return {};
     const bool was_fresh = trials.is_fresh();
     const char word = trials.of(path);
     if (word == kCameBack) return {};
     const std::string fault = fault_of(word, trials.end());
-    // The fault may be that of a file opened before in this process; therefore this file is tried again in a
-    // new one.
+    // A file that was opened earlier in this process may have caused the fault. Therefore this file is tried
+    // again in a new process.
     if (was_fresh || word != 0) return fault;
   }
 }

@@ -9,8 +9,9 @@ namespace netloft {
 /// start-up code. The trial may take 20 s and 1 GiB of memory. The trial fails if the process ends, with
 /// whatever exit code, before it reports. Returns an empty text if the trial succeeds, otherwise what
 /// happened, such as "crashed while it was opened (Segmentation fault)". The process is forked at the first
-/// trial, and again after a failed one; forking for each plugin would copy the page tables of the program
-/// each time. If a plugin fails after others in the same process, it is tried again in a new process.
+/// trial, and again after a failed trial; a fork for each plugin would copy the page tables of the program
+/// each time. A plugin that fails in a process in which others were opened before is tried again in a new
+/// process.
 std::string fault_on_trial(const std::filesystem::path& file);
 
 }  // namespace netloft

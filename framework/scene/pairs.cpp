@@ -8,8 +8,8 @@ namespace netloft {
 
 namespace {
 
-/// Two neighbouring elements. For each node of the pair: one of the two elements that has this node, and the
-/// number of the node (the corner) in that element.
+/// Two neighbouring elements. For each node of the pair, `corners` has an element to which the node belongs,
+/// and the number of the node (the corner) in that element.
 struct Pair {
   std::size_t first, second;
   std::vector<std::pair<std::size_t, std::size_t>> corners;  // (element, corner)

@@ -64,8 +64,8 @@ std::string axes_text(std::uint8_t axes) {
 
 namespace {
 
-/// The position of t between two neighbouring samples: the index of the first and the fraction of the
-/// interval.
+/// The position of t between two neighbouring samples: the index of the first sample, and the fraction of the
+/// interval between them.
 struct SampleInterval {
   std::size_t first;
   double fraction;
@@ -147,7 +147,7 @@ std::array<double, 3> Current::carried(double t) const {
     if (moves_as_one) times.push_back(factor.t);
   std::sort(times.begin(), times.end());
   const double sign = t < 0 ? -1 : 1, begin = std::min(t, 0.0), end = std::max(t, 0.0);
-  double from = begin;  // so that the mean velocity is that of both ends
+  double from = begin;  // until the next kink, velocities are linear, and the trapezoidal rule is exact
   const auto straight = [&](double to) {
     for (const double at : {from, to}) {
       const double time = 0.5 * sign * (to - from);
@@ -191,8 +191,8 @@ double RigidBody::arm() const {
 }
 
 std::optional<std::size_t> Scene::body_at(std::uint32_t origin) const {
-  // Bodies are made in the order of their nodes, so that bisection finds nearly all of them. Joined parts may
-  // change that order; then all bodies are searched.
+  // Bodies are usually in the order of their nodes, so that bisection finds them. Joined parts may change the
+  // order; all bodies are searched if bisection fails.
   std::size_t first = 0, last = bodies.size();
   while (last - first > 1) {
     const std::size_t middle = first + (last - first) / 2;

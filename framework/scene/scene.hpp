@@ -30,8 +30,8 @@ struct SceneWater {
 /// Velocity of the water over depth and time, linear between samples and constant beyond them.
 ///   c(z, t) = profile(z) factor(t) + drift(t) + tow                                               (1)
 /// Without samples, the profile and the drift are zero and the factor is one: still water. A towed gear does
-/// not move in the scene; instead, water that is at rest over the ground moves past the gear with the
-/// velocity `tow`.
+/// not move in the scene; instead, the water, which is at rest relative to the ground, moves past the gear
+/// with the velocity `tow`.
 struct Current {
   struct Sample {
     double z;                        // [m]
@@ -55,8 +55,8 @@ struct Current {
   bool is_uniform() const;
   /// Velocity at height z and its derivative with respect to z.
   void at(double z, std::array<double, 3>& velocity, std::array<double, 3>& dz, double t = 0) const;
-  /// Displacement of the water since time zero [m]. Only velocities that are the same everywhere count:
-  /// `tow`, `drifts`, and the profile if it is the same at all heights.
+  /// Displacement of the water since time zero [m]. Only velocities that are the same at all heights count:
+  /// `tow`, `drifts`, and the profile if it is uniform.
   std::array<double, 3> carried(double t) const;
 };
 
@@ -88,10 +88,10 @@ struct Part {
   std::map<std::string, LawChoice> laws = {};  // laws by name of the slot; absent: the slot's default
   bool companion = false;      // made for pairs of neighbouring elements of the preceding part, which has the
                                // same name
-  double viscosity_ratio = 1;  // effective viscosity over that of the water, in models of gears
+  double viscosity_ratio = 1;  // effective viscosity over the water's viscosity, in models of gears
   std::optional<std::uint32_t> flow = {};  // index of the part that is a flow (ext/flow.h) and changes the
                                            // water here; nullopt: none does
-  std::vector<double> reach = {};          // per element: how much of the change by the flow it gets, 0 to 1
+  std::vector<double> reach = {};          // fraction of the flow's change of the water at each element
 };
 
 /// The part for which a node was first created, and the number of the node in that part.
@@ -127,9 +127,9 @@ struct RigidBody {
   double arm() const;
 };
 
-/// A number of the scene that is found together with the equilibrium, such as the length of a rope. The
-/// number is the sum of a datum over a part. The datum is multiplied by the factor for which a held node has
-/// a given reaction.
+/// A number of the scene that is found together with the equilibrium, such as the length of a rope. It is the
+/// sum of a datum over the elements of a part. The datum is multiplied by a factor such that a held node has
+/// a required reaction.
 struct Setting {
   std::string name;        // "length of warp", for sentences
   std::string part;        // name of the part and of its companions (on pairs of its elements)
@@ -192,8 +192,8 @@ struct SceneError : std::runtime_error {
   std::vector<SceneFault> faults;
 };
 
-/// Finds parts of a gear that could drift away, because no node to which they are connected is held along
-/// some axis. Returns a fault for each such piece.
+/// Finds connected pieces of a gear that could drift away along some axis, because none of their nodes is
+/// held along it. Returns a fault for each piece.
 std::vector<SceneFault> find_loose_parts(const Scene& scene, const std::vector<int>& nodes_per_element);
 
 }  // namespace netloft

@@ -101,8 +101,8 @@ std::string all_are_zero(const std::vector<std::string>& names) {
   return text + (names.size() > 1 ? " are zero" : " is zero");
 }
 
-/// Finds the unknowns that the elements of each part share. Some of them exist only if a certain parameter of
-/// the part is not zero. None exists if no term is active that could determine it.
+/// Finds the unknowns that the elements of each part share. Some exist only if a certain parameter of the
+/// part is not zero. If no term is active, nothing would determine them, and none exists.
 void find_globals(FamilyPlan& family, const Scene& scene) {
   if (std::ranges::none_of(family.terms, &TermPlan::on)) return;
   for (const auto part : family.parts)
@@ -121,7 +121,7 @@ void check_globals(const FamilyPlan& family, const ScenePlan& plan, const Scene&
                          "): a scene with such an unknown needs analysis.tangent = \"exact\""}});
 }
 
-/// Refuses flows in motions: the water behind a gear follows a change of its speed with a delay, which no
+/// Refuses flows in motions: the water behind a gear follows the speed of the gear with a delay, which no
 /// flow describes.
 void check_flow(const FamilyPlan& family, const ScenePlan& plan, const Scene& scene) {
   if (!family.flow || plan.kind == AnalysisKind::statics) return;
@@ -132,7 +132,7 @@ void check_flow(const FamilyPlan& family, const ScenePlan& plan, const Scene& sc
                                "mouth over the speed"}});
 }
 
-/// Adds to the reason of every term that sees changed water which flow changes it.
+/// If a flow changes the water of a term, adds the name of the flow to the reason of the term.
 void note_flow(FamilyPlan& family, const Scene& scene) {
   if (!family.flow) return;
   for (TermPlan& term : family.terms)

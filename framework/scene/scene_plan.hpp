@@ -24,8 +24,8 @@ struct LawPlan {
   LawChoice choice;
 };
 
-/// How much of the unsymmetric tangent of forces without an energy, such as drag, is used: all of it, its
-/// symmetric part, or nothing.
+/// The part of the unsymmetric tangent of nonconservative forces (drag) that is used: all, the symmetric
+/// part, or none.
 enum class TangentChoice { exact, symmetric, elastic };
 
 /// The two kinds of analysis: equilibrium at rest, or motion in time.
@@ -49,9 +49,9 @@ struct FamilyPlan {
   std::optional<std::uint32_t> flow = {};  // index of the scene part that changes the water here, if any
 };
 
-/// Whether a flow changes the water for a term. This is so for drag that depends only on the velocity of the
-/// water relative to the element; its derivative with respect to the current is minus that with respect to
-/// the velocity.
+/// Whether a flow changes the water for a term. It does for drag that depends only on the velocity of the
+/// water relative to the element. The derivative of this drag with respect to the current is minus its
+/// derivative with respect to the velocity.
 inline bool sees_changed_water(std::uint32_t traits) {
   constexpr std::uint32_t kDragOnMoving = NETLOFT_IS_DRAG | NETLOFT_READS_CURRENT | NETLOFT_READS_VELOCITY;
   return (traits & kDragOnMoving) == kDragOnMoving && !(traits & NETLOFT_SYMMETRIC);
@@ -66,8 +66,8 @@ struct ScenePlan {
   AnalysisKind kind = AnalysisKind::statics;
   TangentChoice tangent = TangentChoice::exact;
   bool symmetric = true, conservative = true;
-  bool between = false;               // forces are means over steps in time, which have an unsymmetric matrix
-  std::string unsymmetric_because;    // what makes it unsymmetric, such as "priour/triangle drag"
+  bool between = false;               // forces are means over time steps; their matrix is unsymmetric
+  std::string unsymmetric_because;    // what makes the matrix unsymmetric: "priour/triangle drag"
   std::array<double, 3> ground = {};  // velocity at which the ground passes the gear [m/s]
 
   /// Whether some active term depends on the motion of the ground.

@@ -18,7 +18,7 @@ struct WinchStage {
   std::vector<std::array<double, 2>> rows = {};
   // For a winch that follows a tension:
   double max_speed = 0;  // largest speed of paying out or hauling in [m/s]
-  double band = 0;       // deviation beyond the dead band at which the speed is the largest [N]
+  double band = 0;       // deviation beyond the dead band at which the winch reaches max_speed [N]
   double dead_band = 0;  // largest deviation at which the winch is at rest [N]
 };
 

@@ -10,11 +10,11 @@ namespace netloft {
 
 namespace {
 
-// Traits of terms with an energy that are not bending.
+// A conservative term with one of these traits is not bending.
 constexpr std::uint32_t kNotBending = NETLOFT_CONSTANT | NETLOFT_FROM_OUTSIDE | NETLOFT_OF_MEMBERS;
 
-/// Whether the tangent at x without that of bending is positive definite, except for rounding errors. If the
-/// forces are not defined there, the result is true.
+/// Whether the tangent at x minus the tangent `bending` is positive definite, except for rounding errors. If
+/// the forces are not defined at x, the result is true.
 bool is_convex_without(Assembler& assembler, std::span<const double> x, std::span<const double> bending,
                        Factors& factors) {
   std::vector<double> rest(assembler.value_slots()), metric(rest.size());

@@ -34,10 +34,10 @@ struct KnownStage {
 
 /// Stores the results of stages in a search, so that no stage is solved twice. A strategy that ran out of
 /// work is called again from the same start: it repeats its stages at next to no cost, and the stage in which
-/// the work ran out continues from its final point. Methods that a strategy runs by itself are not stored and
-/// run again.
+/// the work ran out continues from its final point. Methods that a strategy runs by itself are not stored;
+/// they run again.
 ///
-/// If all results together exceed `most` numbers, those that were not requested for the longest time are
+/// If all results together have more than `most` numbers, those whose last request is the longest ago are
 /// discarded.
 class KnownStages {
  public:

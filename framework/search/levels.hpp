@@ -8,7 +8,7 @@
 namespace netloft {
 
 /// Coarser meshes of a scene. Only the reader of the scene knows how parts are divided into cells. A search
-/// therefore asks this class for the scene of a level, and for positions interpolated between levels.
+/// therefore gets the scene of a level, and positions interpolated between levels, from this class.
 class Levels {
  public:
   virtual ~Levels() = default;

@@ -10,8 +10,8 @@ using wide::Eight, wide::Four, wide::Two;
 constexpr double kIdentity[8] = {1, 0, 0, 0, 1, 0, 0, 0};
 constexpr std::size_t kBlock = 9, kLine = 6;  // numbers of K and of `lines` per member
 
-/// A 3 x 3 block in registers. It is read through pointers, because clang treats a reference that a function
-/// returns as aligned.
+/// A 3 x 3 block in registers. It is read through pointers, because clang assumes that a reference returned
+/// by a function is aligned.
 template <class Register>
 struct WideBlock {
   using V = typename Register::V;

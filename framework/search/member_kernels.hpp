@@ -19,8 +19,8 @@ struct MemberSite {
   std::array<std::int32_t, 9> dof{}, block{};
 };
 
-/// For each node of a member: its coefficient c in the chord w = Σ c x of the member, and c times the
-/// `number` of equal twines that the member represents (netloft_member).
+/// For each node of a member: the coefficient c of the node in the chord w = Σ c x, and c times the `number`
+/// of equal twines that the member represents (netloft_member).
 struct MemberWeights {
   std::array<double, 3> c, number_c;
 };

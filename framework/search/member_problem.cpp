@@ -115,8 +115,8 @@ void MemberProblem::list_rotations() {
     }
 }
 
-/// Index of a 3 x 3 block in the array of matrix values, found from one of its entries that is in the
-/// pattern; −1 if none is.
+/// Index of a 3 x 3 block in the array of matrix values, found from an entry of the block in the pattern; −1
+/// if the pattern contains no entry of the block.
 std::int32_t MemberProblem::find_block(const MemberSite& site, std::uint32_t p, std::uint32_t q) const {
   const SparsePattern& pattern = assembler_.pattern();
   for (std::uint32_t entry = 0; entry < 9; ++entry) {

@@ -16,9 +16,9 @@ namespace netloft {
 /// that it represents, c are the coefficients of its chord, and t is its unit vector (netloft_member). Counts
 /// and times every call as StaticProblem does, on the same assembler. Everything is at rest, at time zero.
 ///
-/// Rigid bodies move but do not turn. Thus the coefficients c stay constant, as such methods require, and a
-/// board stays upright while its ropes become taut. The result is an initial guess for a solver that turns
-/// the bodies.
+/// Rigid bodies move but do not turn. The coefficients c thus stay constant, as methods with unknown tensions
+/// require, and a board stays upright while its ropes become taut. The result is an initial guess for a
+/// solver that turns the bodies.
 class MemberProblem {
  public:
   /// Uses the elements that declare members and whose term with NETLOFT_OF_MEMBERS is active. Members without
@@ -75,7 +75,8 @@ class MemberProblem {
   };
   std::vector<Carried> carried_;
   std::vector<std::size_t> rotations_;  // indices of bodies' rotations among the unknowns
-  // Indices of the matrix values in rows and columns of bodies' rotations: on the diagonal, and all others.
+  // Indices of the matrix values in rows and columns of bodies' rotations: those on the diagonal, and those
+  // beside it.
   std::vector<std::size_t> of_rotations_, beside_;
   std::vector<MemberSite> sites_;
   std::vector<MemberWeights> weights_;    // weights of each member

@@ -193,9 +193,9 @@ Solution RunningSearch::best() const {
   return s;
 }
 
-/// Returns the best point. If strategies are nested, only the outermost adds why the search ended. It adds
-/// nothing if the last stage already reports that the budget or the time is used up. After an interrupt
-/// between two stages the status is `interrupted`.
+/// Returns the best point. If strategies are nested, only the outermost one adds why the search ended. It
+/// adds nothing if the last stage already reports that the budget or the time is used up. After an interrupt
+/// between two stages, the status is `interrupted`.
 Solution RunningSearch::explained() const {
   Solution s = best();
   if (is_stationary(s) && equilibria_.has_any()) return s;
@@ -217,10 +217,10 @@ std::uint32_t RunningSearch::size_of(std::uint32_t level) {
   return variant_problem ? static_cast<std::uint32_t>(variant_problem->assembler->pattern().size) : 0;
 }
 
-/// Returns how the strategy ended. This is the ending of the stage that found the equilibrium or, without an
+/// Returns how the strategy ended: the ending of the stage that found the equilibrium or, without an
 /// equilibrium, of the last stage of the scene itself. (The stage closest to balance does not count, because
-/// a later one may have been cut off.) If the strategy solved no stage of its scene although work was left,
-/// it has not run out of work.
+/// a later stage may have been cut off.) A strategy that solved no stage of its scene although work was left
+/// has not run out of work.
 netloft_ending RunningSearch::ending() const {
   const Solution found = best();
   if (is_stationary(found)) return ending_of(found);
@@ -302,8 +302,8 @@ int RunningSearch::call(const char* strategy, const char* parameters, netloft_st
   return NETLOFT_OK;
 }
 
-/// Runs a strategy that this strategy calls. If work is left at the end, the result is stored, because more
-/// work would not change it.
+/// Runs a strategy that this strategy calls. If work is left at the end, more work would not change the
+/// result, which is then stored.
 KnownStage RunningSearch::run_inner(const StrategyType& type, const void* parameters,
                                     const netloft_stage& seen, StageRequest request) {
   const SearchHost::InnerCall under_way(host_, type.type);

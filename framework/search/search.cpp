@@ -73,7 +73,7 @@ Solution solve_near(const VariantSource& source, const SearchOptions& options, s
   return host.finish(host.solve(stage, options.solver));
 }
 
-/// The scene with variable factors of its settings; finds the equilibrium for given factors.
+/// The scene whose settings are multiplied by variable factors; finds the equilibrium for given factors.
 class SetScenes {
  public:
   SetScenes(const VariantSource& source, const SearchOptions& options, const StrategyUse& strategy)

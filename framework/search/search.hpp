@@ -37,17 +37,17 @@ struct SearchOptions {
   std::map<std::string, Values> given = {};
 };
 
-/// Lets a strategy find the equilibrium of a scene from displacements `start` of its unknowns (empty: from
-/// its initial shape), and chooses among its answers (shapes.hpp). The strategy sees a netloft_search: it
-/// requests stages, each a solve of a variant by a solver within a budget, and reports equilibria of the
-/// scene itself. The host counts the work of every stage, assesses it (verdict.hpp) and stores its record.
-/// Without an answer, the solution is the stage of the scene itself that came closest to balance, with a
-/// reason. All stages use the same memory of elements (friction); at the end, the elements of the source
-/// remember the answer. Throws SceneError or PluginRefused if a stage cannot be made.
+/// Lets a strategy find the equilibrium of a scene from the displacements `start` of the unknowns (empty:
+/// from the initial shape), and chooses among the answers of the strategy (shapes.hpp). The strategy sees a
+/// netloft_search: it requests stages, each a solve of a variant by a solver within a budget, and reports
+/// equilibria of the scene itself. The host counts the work of every stage, assesses it (verdict.hpp) and
+/// stores its record. Without an answer, the solution is the stage of the scene itself that came closest to
+/// balance, with a reason. All stages use the same memory of elements (friction); at the end, the elements of
+/// `source` remember the answer. Throws SceneError or PluginRefused if a stage cannot be made.
 ///
 /// If the scene has settings (such as the length of a rope that is to have a given tension), they are found
-/// as well (settings.hpp). The answer then belongs to a different scene, with `Solution::factors`: the caller
-/// applies set_factors to its own scene and lets its elements store the answer.
+/// as well (settings.hpp). The answer then belongs to the scene scaled by `Solution::factors`: the caller
+/// applies set_factors to its own scene and lets the elements of that scene store the answer.
 Solution find_equilibrium(const VariantSource& source, const SearchOptions& options,
                           const StrategyUse& strategy, const std::vector<double>& start = {});
 
@@ -56,7 +56,7 @@ Solution find_equilibrium(const VariantSource& source, const SearchOptions& opti
 std::string explain_strategy(const VariantSource& source, const SearchOptions& options,
                              const StrategyUse& strategy);
 
-/// The reason why a strategy cannot search this scene: it, or a strategy that its parameters name, needs
+/// The reason why a strategy cannot search this scene: the strategy, or one that its parameters name, needs
 /// features that the scene does not have. nullopt if there is none.
 std::optional<std::string> why_unfit(const VariantSource& source, const SearchOptions& options,
                                      const StrategyUse& strategy);

@@ -24,8 +24,8 @@ const SolverType& no_solver() {
 }
 
 // How many numbers KnownStages stores at most, per unknown of the scene. They suffice for about ten points on
-// the scene's own mesh, and take less memory than a factor of netting. On samples of small and medium hard
-// cases, 32 numbers cost 1 % and 2 % more factorisations; 128 and 256 saved at most 3 %.
+// the scene's own mesh, and take less memory than a factor of netting. In samples of hard cases of small and
+// of medium size, 32 numbers cost 1 % and 2 % more factorisations; 128 and 256 numbers saved at most 3 %.
 constexpr std::size_t kNumbersKept = 64;
 
 // Largest depth of nested calls of strategies. Grid sequencing by the strategy `auto` takes two nested calls
@@ -137,7 +137,7 @@ Solution SearchHost::solve(const netloft_stage& stage, const SolverUse& solver) 
   record({stage.name, solver.type->type, size, s.status, s.reason, s.cost.statistics, stage.variant,
           variant_problem->model.of(s.judging)},
          *variant_problem);
-  // A request without a solver only assesses a point. It costs next to nothing, so its result is not stored.
+  // A request without a solver only assesses a point at next to no cost. Its result is not stored.
   if (solver.type != &no_solver())
     keep_known({.request = std::move(request), .solution = s, .is_cut_off = was_cut_off(s)});
   if (options_.on_stage && !s.u.empty()) {

@@ -22,7 +22,8 @@ class SearchHost {
   SolverUse solver_of(const netloft_stage& stage) const;
   /// Parameters that the user gave for a solver or strategy of this type.
   Values given_of(const std::string& type) const;
-  /// Limits of a stage: tolerance and budget of the stage, other limits of the search.
+  /// Limits of a stage. The tolerance, the budget, and the limits of iterations and path that a stage sets
+  /// are those of the stage; all others are those of the search.
   Limits limits_of(const netloft_stage& stage, const VariantProblem& variant_problem);
   /// Observer of a stage; it stores points of the original scene only.
   Observer observer_of(const netloft_stage& stage) const;
@@ -37,7 +38,7 @@ class SearchHost {
   /// Adds the record of a stage. On input, `stage.work` is the work of its assessment.
   void record(StageRecord stage, const VariantProblem& variant_problem);
 
-  /// Adds the cost and the records of all stages.
+  /// Adds the cost and the records of all stages to a solution.
   Solution finish(Solution solution) const;
 
   /// Counts nested calls of strategies during the lifetime of the object. Throws std::invalid_argument beyond

@@ -23,11 +23,12 @@ constexpr double kFirstChange = 0.01;
 // the previous equilibrium.
 constexpr double kLargestChange = 0.05;
 constexpr int kMostHalvings = 3;  // number of times a step is halved; 1/8 of 5 % is less than kFirstChange
-constexpr int kMostSteps = 60;    // number of steps; 60 steps of 5 % multiply a factor by 18
+constexpr int kMostSteps = 60;  // number of steps; 60 steps of 0.05 in the logarithm multiply a factor by 20
 constexpr double kForceTolerance =
-    1e-9;  // tolerance relative to the given force; ten times that of equilibria
+    1e-9;  // tolerance relative to the required force; ten times the tolerance of equilibria
 
-/// Logarithms y of the factors, the equilibrium for them, and the relative errors g of its reactions.
+/// Logarithms y of the factors, the equilibrium for these factors, and the relative errors g of the
+/// reactions.
 struct Point {
   VectorXd y, off;  // (1)
   Solution solution;

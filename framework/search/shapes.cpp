@@ -12,8 +12,8 @@ namespace netloft {
 namespace {
 
 // Energies count as equal if they differ by at most this fraction of the energy, or of the product of the
-// largest load and the size of the gear. This is the change of energy, near an equilibrium, over the distance
-// at which points still count as the same.
+// largest load and the size of the gear. Near an equilibrium, the energy changes by about this much over the
+// largest distance at which points count as the same.
 constexpr double kSameEnergy = kTolerance;
 
 bool has_converged(const Solution& s) { return s.status == SolveStatus::converged; }

@@ -5,13 +5,13 @@
 namespace netloft {
 
 /// Chooses among the equilibria that a strategy reports. Converged equilibria take precedence over unstable
-/// ones. If every force has an energy, the converged equilibrium of least energy is chosen, otherwise the
+/// ones. If all forces have a potential, the converged equilibrium of least energy is chosen, otherwise the
 /// first one. Two equilibria count as the same shape if the positions of each node differ by at most 1e-5 of
 /// the size of the gear. They also count as the same if both are neutral with equal energies, because the
 /// gear can then move from one to the other without any force.
 class EquilibriumChoice {
  public:
-  /// `gear_size` [m]; `has_energy`: whether every force has an energy.
+  /// `gear_size` [m]; `has_energy`: whether all forces have a potential.
   EquilibriumChoice(const Scene& scene, const Assembler& assembler, double gear_size, bool has_energy);
 
   void add(Solution solution);

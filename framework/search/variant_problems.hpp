@@ -33,8 +33,8 @@ struct VariantSource {
   int threads = 1;
 };
 
-/// Creates the variants of a scene when they are first requested. Stores the problem of each level of mesh
-/// without other changes, and the last problem of any other variant.
+/// Creates the variants of a scene when they are first requested. Of variants that change only the mesh, it
+/// stores the problem of each level; of all others, only the last problem.
 class VariantProblems {
  public:
   explicit VariantProblems(VariantSource source);

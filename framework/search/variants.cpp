@@ -67,8 +67,8 @@ void for_role(PartOf& parts, Registry& registry, std::uint32_t role, Visit&& vis
   }
 }
 
-/// Largest axial stiffness by name of part. A part and its companions (on pairs of its elements) have the
-/// same name.
+/// Largest axial stiffness for each name of a part. A part and its companions (on pairs of its elements) have
+/// the same name.
 std::map<std::string, double> stiffness_by_name(const Scene& scene, Registry& registry) {
   std::map<std::string, double> largest;
   for_role(scene.parts, registry, NETLOFT_STIFFNESS, [&](const Part& part, const auto& type, const auto& p) {

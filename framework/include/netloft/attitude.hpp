@@ -14,8 +14,8 @@ namespace netloft {
 ///   trim      turns the nose upward
 /// The body is turned by the heel about the x axis, then by the trim about y, then by the heading about z:
 ///   R = R_z(−s heading) R_y(trim) R_x(−s heel),   s = side                                      (1)
-/// If the trim is a right angle, heading and heel turn the body about the same axis, and only one combination
-/// of them can be determined.
+/// If the trim is a right angle, heading and heel turn the body about the same axis, and only their sum or
+/// difference can be determined.
 struct Attitude {
   double heading = 0, heel = 0, trim = 0;
 };

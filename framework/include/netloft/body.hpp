@@ -45,7 +45,7 @@ struct Body : Pose<T> {
   Vec3<T> velocity(const Vec3<S>& r) const {
     return v + cross(omega, this->to_world(r));
   }
-  /// Velocity of the water at a point r of the body [m/s], extrapolated linearly in depth from the origin.
+  /// Velocity of the water at a point r of the body [m/s], extrapolated from the origin linearly in depth.
   template <class S>
   Vec3<T> current_at(const Vec3<S>& r) const {
     const T height = this->to_world(r).z;

@@ -6,8 +6,8 @@
 namespace netloft {
 
 /// A number with its gradient and, if Order is 2, its Hessian with respect to N variables (automatic
-/// differentiation, forward mode). Dual numbers are slow, but they need only the energy of an element to
-/// compute its force and its tangent. Tests compare faster code with them.
+/// differentiation, forward mode). Dual numbers are slow, but they compute the force and the tangent of an
+/// element from its energy alone. Tests compare faster code with dual numbers.
 template <int N, int Order = 2>
 struct Dual {
   double value = 0;
@@ -90,8 +90,9 @@ struct Dual {
   }
   friend Dual atan2(const Dual& y, const Dual& x) {
     const double square = x.value * x.value + y.value * y.value;
-    // (ahead, turn) is the vector (x, y), up to a factor, in axes whose first one has the direction of its
-    // value. In these axes, the angle of the vector is zero and has the same derivatives as the result.
+    // (ahead, turn) is the vector (x, y), up to a factor, in axes of which the first has the direction of the
+    // values (x.value, y.value). In these axes, the angle of the vector is zero and has the derivatives of
+    // the result.
     const Dual turn = (x.value * y - y.value * x) / square;
     const Dual ahead = (x.value * x + y.value * y) / square;
     return std::atan2(y.value, x.value) + atan(turn / ahead);

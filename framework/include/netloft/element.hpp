@@ -20,10 +20,10 @@
 // If an element needs data of its whole part (all elements with the same parameters), it declares a struct
 // `Whole`. The host calls `gather(parameters, data, whole)`, which fills this struct, for each element of the
 // part in turn. `evaluate`, `force` and outputs receive the struct after the data, and
-// `check_whole(parameters, whole)` may throw std::invalid_argument. It is best to store curves from tables
-// (interpolation.hpp) in `Whole`, too, because they are then made only once per part. If the elements of a
-// part share unknowns (the front of a catch), the element declares their number, `static constexpr int
-// globals = 1`. These unknowns are the coordinates of an additional last node, so that N is greater by one.
+// `check_whole(parameters, whole)` may throw std::invalid_argument. Curves from tables (interpolation.hpp)
+// are best stored in `Whole`, too, so that they are made only once per part. If the elements of a part share
+// unknowns (the front of a catch), the element declares their number, `static constexpr int globals = 1`.
+// These unknowns are the coordinates of an additional last node, so that N is greater by one.
 //
 // If an element bears tension along straight lines, it can declare these lines, its members. Solvers may then
 // treat the tensions as unknowns:
@@ -166,9 +166,9 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
   void rides_on(const char* element) {
     offers_.template one<netloft_rider>(NETLOFT_EXT_PAIRS).rides_on = element;
   }
-  /// Declares an unknown that all elements of a part share, with its initial value `start`. It keeps this
-  /// value if the parameter named by `needs` is zero; nullptr: it never does. The unknowns, three at most,
-  /// are x, y and z of the last node of State::x.
+  /// Declares an unknown that all elements of a part share, with its initial value `start`. If the parameter
+  /// named by `needs` is zero, the unknown keeps this value; if `needs` is nullptr, it is always free. The
+  /// unknowns, three at most, are x, y and z of the last node of State::x.
   void global(const char* name, const char* unit, const char* doc, const char* needs, Start start) {
     netloft_global g{};
     g.size = sizeof g;
@@ -247,8 +247,8 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
     inputs_[place] = id;
     lists_inputs_ = true;
   }
-  /// Requires an extension. When elements are created, `take` reads the data of the host for this extension;
-  /// nullptr if there are no such data.
+  /// Requires an extension. When elements are created, `take` reads the host's data for this extension;
+  /// `take` is nullptr if there are none.
   void require(const char* id, void (*take)(Family<E>&, netloft_create&)) {
     for (const char* known : required_)
       if (std::strcmp(known, id) == 0) return;
@@ -315,8 +315,7 @@ class ElementTable : public ParameterTable<typename E::Parameters> {
   const char *name_, *doc_;
   std::vector<const char*> required_;
   bool lists_inputs_ = false;
-  // An input that no term reads is listed as "". No host knows this identifier, so that none provides data
-  // for it.
+  // An input that no term reads is listed as "". No host knows this identifier or provides data for it.
   std::array<const char*, detail::kInputPlaces + 1> inputs_{"", "", "", nullptr};
   std::vector<netloft_term> terms_;
   std::vector<netloft_output> outputs_;

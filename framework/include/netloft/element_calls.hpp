@@ -148,7 +148,7 @@ inline Vec3<double> passing_ground(const netloft_tile& t) {
   return g ? Vec3<double>{g[0], g[1], g[2]} : Vec3<double>{};
 }
 
-/// All traits. Outputs use them, and thus receive every input that some term of the element reads.
+/// All traits. Outputs have all of them, and thus receive every input that some term of the element reads.
 inline constexpr std::uint32_t kEveryTrait = ~std::uint32_t{0};
 
 /// Reads the data of extensions for a term with these traits.
@@ -199,8 +199,8 @@ void scatter(const Local<Nodes>& local, bool symmetric, std::size_t lane, netlof
 }
 
 /// Reads the degrees of freedom of one element from a field [dof][64] as dual numbers. The derivative of each
-/// degree of freedom with respect to itself is `factor`, and other derivatives are zero. If `field` is
-/// nullptr, all values are zero, but the derivatives are the same.
+/// degree of freedom with respect to itself is `factor`, and its other derivatives are zero. If `field` is
+/// nullptr, the values are zero, but the derivatives remain.
 template <class T, int Nodes>
 Points<T, Nodes> read_dual(const double* field, std::size_t lane, double factor) {
   Points<T, Nodes> to{};
@@ -265,8 +265,8 @@ MotionOf<E, T> read_motion(const netloft_tile& t, std::size_t lane) {
   return m;
 }
 
-/// Converts the result of `force` to a residual, which is minus the force. For a body, the moment also
-/// becomes minus the generalised force that does the same work on the rotation vector.
+/// Converts the result of `force` to a residual, which is minus the force. The moment on a body becomes minus
+/// the generalised force that does the same work on the rotation vector.
 template <class E, class T>
 Points<T, nodes_of<E>> residual_of(const PushOf<E, T>& push, const netloft_tile& t, std::size_t lane) {
   Points<T, nodes_of<E>> residual{};
@@ -280,8 +280,8 @@ Points<T, nodes_of<E>> residual_of(const PushOf<E, T>& push, const netloft_tile&
   return residual;
 }
 
-/// Residual and tangent of a term without an energy, by first-order forward differentiation. The force has
-/// the same bits as if it were computed without derivatives.
+/// Residual and tangent of a term with a function `force`, by first-order forward differentiation. The force
+/// has the same bits as without derivatives.
 template <class E, class T, std::uint32_t Traits = kEveryTrait>
 void differentiate_force(const Family<E>& f, std::size_t element, const netloft_tile& t, std::size_t lane,
                          Local<nodes_of<E>>& local) {
@@ -302,7 +302,7 @@ void differentiate_force(const Family<E>& f, std::size_t element, const netloft_
   }
 }
 
-/// Residual and tangent of a term with an energy, by second-order forward differentiation.
+/// Residual and tangent of a term with a function `energy`, by second-order forward differentiation.
 template <class E, class T>
 void differentiate(const Family<E>& f, std::size_t element, const netloft_tile& t, std::size_t lane,
                    Local<nodes_of<E>>& local) {

@@ -28,7 +28,8 @@ concept IsFlow = requires(const typename E::Parameters& p, const Vec3<FlowDual<E
   E::weight(p, current, 1.0, 0);
 };
 
-/// Writes a vector, and its derivatives with respect to the current: component r by c in row 3r + c.
+/// Writes a vector and its derivatives. Row 3r + c has the derivative of component r with respect to
+/// component c of the current.
 template <class T>
 void write_vector(const Vec3<T>& vector, std::size_t lane, double* values, double* derivatives) {
   for (std::size_t r = 0; r < 3; ++r) {

@@ -50,8 +50,8 @@ inline const double* state_of(const netloft_tile& t) {
   const auto* memory = detail::input<netloft_remembered>(t, detail::kMemoryPlace);
   return memory ? memory->state : nullptr;
 }
-/// The array [width][64] to which a term writes what its elements have to remember. Only if the step is
-/// accepted, the host keeps these numbers, and state_of() returns them from then on. Trait: reads_state.
+/// The array [width][64] to which a term writes what its elements have to remember. The host keeps these
+/// numbers only if the step is accepted; state_of() returns them from then on. Trait: reads_state.
 inline double* new_state_of(const netloft_tile& t) {
   const auto* memory = detail::input<netloft_remembered>(t, detail::kMemoryPlace);
   return memory ? memory->state_new : nullptr;

@@ -6,9 +6,9 @@
 //   static double order(const Parameters&);                  // power of h in the estimate in `error`
 //   static double stable_step(const Parameters&, double w);  // longest stable h at frequency w; 0: any
 //
-// An integrator solves F(t, u, v, a) = 0 over one step in any way: explicitly from accelerations, or as an
-// algebraic problem that the solver of the analysis solves. The host controls the length of the step and
-// counts the work.
+// An integrator solves F(t, u, v, a) = 0 over one step in any way: explicitly from accelerations, or
+// implicitly by an algebraic problem that it passes to the solver of the analysis. The host controls the
+// length of the step and counts the work.
 #pragma once
 #include <netloft/ext/integrator.h>
 #include <netloft/parameters.hpp>
@@ -20,7 +20,7 @@
 
 namespace netloft {
 
-/// The result of a step; `shorter` if it failed but may succeed with a smaller h.
+/// The result of a step; `shorter` means that the step failed but may succeed with a smaller h.
 enum class Step { found = NETLOFT_OK, shorter = NETLOFT_OUTSIDE_DOMAIN };
 
 /// The equation F(t, u, v, a) = 0 as seen by an integrator, at the start of a step of length h.

@@ -2,10 +2,10 @@
 //
 // Smooth curves and surfaces through the samples of a table, for doubles and dual numbers.
 //
-// A curve is a cubic on every interval, with the samples' values and slopes at its ends, so that its first
-// derivative is continuous: solvers converge badly at a kink in a force. The slope m at a sample is zero if
-// the sample is an extremum; otherwise it is a weighted harmonic mean of the difference quotients δ₁, δ₂ of
-// the intervals on both sides, of lengths h₁, h₂:
+// A curve is a cubic on every interval, with the values and slopes of the samples at the ends. Its first
+// derivative is therefore continuous: solvers converge badly at a kink in a force. The slope m at a sample is
+// zero if the sample is an extremum; otherwise it is a weighted harmonic mean of the difference quotients δ₁,
+// δ₂ on both sides, over intervals of lengths h₁, h₂:
 //   m = (w₁ + w₂)/(w₁/δ₁ + w₂/δ₂),  w₁ = 2h₂ + h₁, w₂ = h₂ + 2h₁   where δ₁δ₂ > 0, else 0            (1)
 // so that the curve is monotone wherever the samples are, and never above or below them (F. N. Fritsch and J.
 // Butland, SIAM Journal on Scientific and Statistical Computing 5, 1984). A surface over two arguments has
@@ -55,7 +55,7 @@ inline std::vector<double> sample_slopes(const std::vector<double>& x, const std
 }
 
 /// The interval that contains an argument: its index, its length, and the position s of the argument in the
-/// interval, 0 to 1. An argument beyond the samples is moved to the edge.
+/// interval, from 0 to 1. An argument beyond the samples counts as being at the nearest sample.
 template <class T>
 struct Interval {
   Interval(const std::vector<double>& x, const T& at) {

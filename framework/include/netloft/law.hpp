@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The header for authors of hydrodynamic laws. A law is a struct with `Parameters`, the kind of body to which
-// it applies (`kind`), and one of two functions, the first quicker to write, the second faster to run:
+// it applies (`kind`), and one of two functions. `force` is quicker to write, `lanes` runs faster:
 //
 //   template <class T> static Vec3<T> force(const Parameters&, const Flow<T>&);
 //   static void lanes(const Parameters&, const netloft_law_tile&);
@@ -123,7 +123,7 @@ class LawTable : public ParameterTable<typename L::Parameters> {
   LawTable(const char* name, const char* doc) : name_(name), doc_(doc) {}
 
   /// States that the law was measured for lo ≤ quantity ≤ hi. The law must return forces outside this range,
-  /// too; reports then say for which fraction of the gear the quantity was outside.
+  /// too; reports then state which fraction of the gear is outside.
   void valid(Quantity quantity, double lo, double hi, const char* source, Condition condition = {}) {
     netloft_validity v{};
     v.size = sizeof v;

@@ -22,7 +22,7 @@ class Offers {
     offer.value.size = sizeof(Struct);
     return offer.value;
   }
-  /// Returns the rows that are offered under an identifier, for an extension whose offer is a struct {size,
+  /// Returns the rows that are offered under an identifier, for an extension whose offer is a list {size,
   /// count, rows}.
   template <class List>
   auto& rows(const char* id) {

@@ -74,7 +74,7 @@ class ParameterTable {
     if (!fallback) p.flags |= NETLOFT_REQUIRED;
   }
 
-  /// A parameter that is a sampled curve with named columns, the first increasing; empty if not given.
+  /// A parameter that is a sampled curve with named columns; the first column increases. Empty if not given.
   void table(const char* name, netloft_table P::*member, const char* doc,
              std::initializer_list<std::pair<const char*, const char*>> columns, bool required = false) {
     auto& p = add(NETLOFT_TABLE, name, offset(member), "1", doc);
@@ -141,7 +141,8 @@ inline std::uint32_t bytes_of_kind(std::uint32_t kind) {
 
 /// The parameters of component C as its functions receive them: members that the table declares have the
 /// host's values, all others the defaults of the struct. (The host knows only the members in the table and
-/// leaves the others zero. Plugins may share a struct of which each declares only some members.)
+/// leaves the others zero. Several plugins may share a struct, and each may declare only some of its
+/// members.)
 template <class C>
 class OwnParameters {
  public:
@@ -158,8 +159,8 @@ class OwnParameters {
     declared_ = std::move(declared);
     is_known_ = true;
   }
-  /// Returns the parameters. If no table describes the struct, the struct is returned unchanged, because code
-  /// of the author has filled it.
+  /// Returns the parameters. A struct that no table describes is returned unchanged, because the author's own
+  /// code has filled it.
   static Parameters from(const void* host) {
     if (!is_known_) return *static_cast<const Parameters*>(host);
     Parameters own{};

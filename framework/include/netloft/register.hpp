@@ -75,7 +75,8 @@ class Plugin {
     return table;
   }
 
-  /// A table of a component. It is converted at the end, because the author's function may still add to it.
+  /// A table of a component. The table is converted at the end, because the author's function may still add
+  /// rows.
   struct Pending {
     virtual ~Pending() = default;
     virtual void describe(Plugin& plugin) const = 0;
@@ -102,7 +103,7 @@ class Plugin {
 };
 
 namespace detail {
-/// The plugin that the function Describe of an author describes.
+/// The plugin that the author's function Describe describes.
 template <void (*Describe)(Plugin&)>
 Plugin& plugin_of() {
   static Plugin plugin;
@@ -114,7 +115,7 @@ const void* offer_of(const char* id) noexcept {
   return plugin_of<Describe>().offer(id);
 }
 
-/// Returns the description of the plugin; the first call makes it. nullptr if this fails.
+/// Returns the description of the plugin, which the first call makes; nullptr if that fails.
 template <void (*Describe)(Plugin&)>
 const netloft_plugin* describe_once(const char* name, const char* version, const char* doc) noexcept {
   try {

@@ -25,8 +25,8 @@ struct RotationFactors {
   T a, b, c, db, dc;
 };
 
-/// Computes the sum over k of (−s)^k/(2k + n)!, which is a, b, c for n = 1, 2, 3, and its derivative. Valid
-/// for s < 1.
+/// Computes the sum over k of (−s)^k/(2k + n)!, which is a, b, c for n = 1, 2, 3, and the derivative of the
+/// sum. Valid for s < 1.
 template <class T>
 void sum_rotation_series(const T& s, int n, T& sum, T& slope) {
   constexpr int kTerms = 10;  // enough for double precision: 1/21! is negligible
@@ -125,7 +125,7 @@ inline Vec3<double> rate_of_spin(const Vec3<double>& psi, const Vec3<double>& om
 inline Vec3<double> rotation_vector(const std::array<Vec3<double>, 3>& axes) {
   const auto R = [&](int row, int column) { return axes[static_cast<std::size_t>(column)][row]; };
   const double trace = R(0, 0) + R(1, 1) + R(2, 2);
-  // Computes a quaternion from its largest component (S. W. Shepperd, J. Guidance and Control 1, 1978).
+  // The quaternion is computed from its largest component (S. W. Shepperd, J. Guidance and Control 1, 1978).
   int largest = 3;
   for (int i = 0; i < 3; ++i)
     if (R(i, i) > (largest == 3 ? trace : R(largest, largest))) largest = i;

@@ -5,8 +5,8 @@
 //   static Outcome solve(const Parameters&, Problem&);
 //
 // that moves `problem.u()` towards r(u) = 0. Once per iteration it passes u to `progress`, which returns
-// whether to continue. If no step was accepted, it passes the same u again. The host counts, measures time
-// and decides on convergence; a solver does not.
+// whether to continue. If no step was accepted, it passes the same u again. The host, not the solver, counts,
+// measures time and decides on convergence.
 #pragma once
 #include <netloft/ext/solver.h>
 #include <netloft/parameters.hpp>
@@ -47,8 +47,8 @@ class Problem {
   bool symmetric() const { return p_.traits & NETLOFT_SYMMETRIC; }
   std::span<double> u() { return {p_.u, size()}; }
 
-  /// Computes residual [N] and energy [J] (zero if there is none) at u. `keep` selects a matrix to be
-  /// computed and stored as well.
+  /// Computes residual [N] and energy [J] at u; the energy is zero if there is none. `keep` selects a matrix
+  /// that is also computed and stored.
   Evaluation evaluate(std::span<const double> u, double& energy, std::span<double> residual,
                       Matrix keep = Matrix::none) {
     const std::uint32_t matrix = keep == Matrix::exact    ? std::uint32_t{NETLOFT_WANT_TANGENT}
@@ -60,13 +60,13 @@ class Problem {
   Evaluation evaluate(std::span<const double> u, double& energy) {
     return checked(p_.evaluate(p_.host, NETLOFT_WANT_ENERGY, u.data(), &energy, nullptr));
   }
-  /// Computes the gradient of the energy: the residual without forces that have no energy, such as drag.
+  /// Computes the gradient of the energy: the residual of the conservative forces alone, without drag.
   Evaluation evaluate_gradient(std::span<const double> u, double& energy, std::span<double> gradient) {
     return checked(p_.evaluate(p_.host, NETLOFT_WANT_ENERGY | NETLOFT_WANT_FORCE | NETLOFT_WANT_GRADIENT,
                                u.data(), &energy, gradient.data()));
   }
   /// Computes residual and gradient at once, at little more than the cost of one of them. Residual minus
-  /// gradient is the residual of the forces without an energy.
+  /// gradient is the residual of the nonconservative forces.
   Evaluation evaluate_both(std::span<const double> u, double& energy, std::span<double> residual,
                            std::span<double> gradient) {
     return checked(p_.evaluate_both(p_.host, u.data(), &energy, residual.data(), gradient.data()));
@@ -93,7 +93,7 @@ class Problem {
   void solve(std::span<const double> rhs, std::span<double> x) {
     check(p_.solve(p_.host, rhs.data(), x.data()));
   }
-  /// Solves with the last factor, which may be that of an earlier problem. Returns false if no factor exists.
+  /// Solves with the last factor, which may stem from an earlier problem. Returns false if no factor exists.
   bool try_solve(std::span<const double> rhs, std::span<double> x) {
     return p_.solve(p_.host, rhs.data(), x.data()) == NETLOFT_OK;
   }

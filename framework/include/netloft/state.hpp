@@ -18,13 +18,14 @@ inline constexpr int kLanes = NETLOFT_LANES;
 
 enum class Status { ok = NETLOFT_OK, outside_domain = NETLOFT_OUTSIDE_DOMAIN };
 
-/// Thrown if the force of a term is not defined at a state, for instance that of a bar of zero length. The
-/// solver then shortens its step.
+/// Thrown if the force of a term is not defined at a state, for instance the force of a bar of zero length.
+/// The solver then shortens its step.
 struct OutsideDomain : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A straight line in an element that bears tension; see netloft_member for its fields and its force.
+/// A member is a straight line in an element that bears tension; netloft_member describes its fields and its
+/// force.
 using Member = netloft_member;
 
 struct Water {

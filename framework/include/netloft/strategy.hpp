@@ -53,7 +53,7 @@ struct Variant {
 };
 
 /// Tolerance of a stage whose result is only an initial guess for the next stage. A smaller imbalance would
-/// be useless, because the difference between the easier problem and the scene is larger.
+/// be useless, because the easier problem differs from the scene by more than that.
 inline constexpr double kOnlyAStart = kMatters;
 
 /// The task of one stage (one solve): a variant, its solver, the tolerance and the budget.
@@ -106,16 +106,16 @@ struct Stage {
   double growth_rate = 0, growth_frequency = 0;  // [1/s], [rad/s]; frequency 0: it does not oscillate
 
   /// Whether the forces of the requested variant were evaluated at `u`. False if the forces of an element are
-  /// not defined there. Also false if another strategy was called and solved no stage of that variant; `u` is
-  /// then the initial guess.
+  /// not defined at `u`, or if another strategy was called and solved no stage of the variant, so that `u` is
+  /// the initial guess.
   bool has_forces() const { return load > 0; }
   /// Whether the end of the stage is an equilibrium, stable or unstable.
   bool is_stationary() const { return ending == Ending::converged || ending == Ending::unstable; }
   bool has_converged() const { return ending == Ending::converged; }
   /// Whether the stage did some work and then ended because its budget was used up.
   bool was_cut_off() const { return ending == Ending::out_of_work && spent > 0; }
-  /// Whether the equilibrium has a flutter instability, an oscillation that grows: a motion from there does
-  /// not come to rest nearby.
+  /// Whether the equilibrium has a flutter instability (an oscillation that grows): a motion that starts at
+  /// the equilibrium does not come to rest nearby.
   bool flutters() const { return ending == Ending::unstable && growth_frequency > 0; }
   double imbalance() const { return has_forces() ? residual / load : residual > 0 ? 1 : 0; }
 };
@@ -138,7 +138,7 @@ class Search {
   double gear_size() const { return s_.gear_size; }        // [m]
   double element_size() const { return s_.element_size; }  // [m]
   double load() const { return s_.load; }  // sum of the forces that drive the gear at the start [N]
-  double largest_load() const { return s_.largest_load; }  // largest of these forces on a node [N]
+  double largest_load() const { return s_.largest_load; }  // largest driving force on a node [N]
   double stiffness() const { return s_.stiffness; }        // largest axial stiffness [N]
 
   /// The initial displacements of the unknowns of the scene itself.
@@ -153,10 +153,9 @@ class Search {
     return ended(ask, std::move(u), [&](netloft_stage& stage) { return s_.solve(s_.host, &stage); });
   }
   /// Lets another strategy bring a variant to equilibrium from `u`, with a budget of its own (Ask::work).
-  /// Returns the answer of that strategy, or the answer that the host chose if there are several. If there is
-  /// no answer, the result is the point of the variant closest to balance, or the initial guess, and the
-  /// ending is that of the last stage of the variant (out_of_work if that stage was cut off or no work is
-  /// left).
+  /// Returns the answer of that strategy; the host chooses if there are several. If there is no answer, the
+  /// result is the point of the variant closest to balance, or the initial guess, with the ending of the last
+  /// stage of the variant (out_of_work if that stage was cut off or no work is left).
   Stage call(const char* strategy, const char* parameters, const Ask& ask, Displacements u) {
     return ended(ask, std::move(u),
                  [&](netloft_stage& stage) { return s_.call(s_.host, strategy, parameters, &stage); });
@@ -197,14 +196,15 @@ class Search {
     return u;
   }
 
-  /// States why the strategy does not solve the scene, or does not continue ("there is no current"); the
-  /// strategy must then return. The reason is reported to the user if there is nothing else to report.
+  /// States why the strategy does not solve the scene or does not continue ("there is no current"). The
+  /// strategy must return after this call. The reason is reported to the user if there is nothing else to
+  /// report.
   void decline(const char* why) { std::snprintf(s_.message, s_.message ? s_.message_size : 0, "%s", why); }
 
-  /// Largest force on a node, along one axis, of all elastic forces that are not those of members: of meshes
-  /// held open, of bent ropes and netting [N]. The point `u` must be an equilibrium of the scene itself, and
-  /// all forces must have an energy. The result is zero if the tangent of all other forces is positive
-  /// definite, because the gear then keeps its shape without these forces.
+  /// Largest bending force on a node along one axis [N]. Bending forces are the elastic forces of meshes held
+  /// open and of bent ropes and netting, but not of members. `u` must be an equilibrium of the scene itself,
+  /// and all forces must be conservative. If the tangent of all other forces is positive definite, the result
+  /// is zero, because the gear then keeps its shape without bending forces.
   double bending(const Displacements& u) { return s_.bending(s_.host, u.data()); }
   double work_left() { return s_.work_left(s_.host); }
   /// Reports an equilibrium of the scene itself. May be called again for another equilibrium.
@@ -292,7 +292,7 @@ int explain_strategy(const void* parameters, netloft_search* search, char* text,
 /// Describes one strategy to the host. `needs` are traits that the search must have.
 ///
 /// The value of a parameter declared by `strategy` or `solver` is a Specification. Before anything is solved,
-/// the host refuses a value that names no existing strategy or solver, or wrong parameters of it. In C, such
+/// the host refuses a value if its strategy or solver does not exist or its parameters are wrong. In C, such
 /// a parameter is a text whose `unit` is "strategy" or "solver". A parameter declared by `several` is a text
 /// with `choices` in C.
 template <class S>
