@@ -16,8 +16,8 @@ namespace netloft {
 
 namespace {
 
-/// Whether a family (all elements of one type) can be left out. This is the case if all its terms are off and
-/// its elements, such as bending, only add to elements of another type, such as bars.
+/// Whether a family (all elements of one type) can be left out. It can if all its terms are off and its
+/// elements (such as bending) only add forces to elements of another type (such as bars).
 bool is_idle(const Scene& scene, const FamilyPlan& family) {
   return scene.parts[family.parts[0]].companion &&
          std::none_of(family.terms.begin(), family.terms.end(), [](const TermPlan& t) { return t.on; });

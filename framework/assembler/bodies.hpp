@@ -34,7 +34,7 @@ class Bodies {
   Bodies(const Scene& scene, const Numbering& numbering, const NodeBlocks& blocks, bool symmetric);
 
   bool empty() const { return pairs_.empty(); }
-  /// For each body, the numbers of two nodes: its origin, and the node whose coordinates are its rotation.
+  /// For each body, the numbers of two nodes: the origin, and the node whose coordinates are the rotation.
   const std::vector<std::array<std::uint32_t, 2>>& pairs() const { return pairs_; }
   double arm(std::size_t body) const { return bodies_[body].arm; }
   /// The origin of the body that carries a node; the node itself if no body carries it.
@@ -43,9 +43,9 @@ class Bodies {
       if (point.node == node) return pairs_[point.body][0];
     return node;
   }
-  /// Computes the positions of carried nodes from those of their bodies, (1).
+  /// Computes the positions of carried nodes from the positions of their bodies by (1).
   void place(std::span<double> x) const;
-  /// Computes the velocities and accelerations of carried nodes from those of their bodies, (1).
+  /// Computes the velocities and accelerations of carried nodes from the motion of their bodies by (1).
   void move(std::span<const double> x, std::span<double> v, std::span<double> a) const;
   /// Passes the forces on carried nodes on to their bodies by (2), and the matrix values of an evaluation at
   /// x by (3) and (4). The geometric term of (3) is added only if `exact`. `residual` and the values may be
@@ -62,8 +62,8 @@ class Bodies {
   /// per body, with a row per axis of the origin and a column per axis of the rotation.
   void hand_on_masses(std::span<const double> x, std::span<double> blocks, std::span<double> between) const;
   /// Replaces rotation vectors longer than ¾ of a turn by the shorter vectors of the same rotations, and
-  /// their rates by rates that give the same spin. `u` are displacements of the unknowns from `start`; their
-  /// rates `v` and `a` may be empty. Returns whether any vector was replaced.
+  /// their rates by rates that give the same spin. `u` are displacements of the unknowns from `start`; `v`
+  /// and `a` are the rates of u and may be empty. Returns whether any vector was replaced.
   bool shorten(std::span<const double> start, std::span<double> u, std::span<double> v,
                std::span<double> a) const;
 

@@ -11,8 +11,8 @@ namespace netloft {
 
 class TileEvaluator;
 
-/// Makes the memory of each family (all elements of one type). `ground_passes` means that the ground moves
-/// under the gear; terms that read the ground then need no memory.
+/// Makes the memory of each family (all elements of one type). If the ground moves under the gear
+/// (`ground_passes`), terms that read the ground need no memory.
 std::vector<Memory> make_memories(const ElementTiles& tiles, bool ground_passes);
 
 /// Lets all elements store their state at the positions x (over all dofs) at the end of an accepted step.
@@ -20,7 +20,7 @@ std::vector<Memory> make_memories(const ElementTiles& tiles, bool ground_passes)
 bool remember(TileEvaluator& elements, std::span<const double> x, const Kinematics& motion);
 
 /// Returns all numbers that elements remember: first the states of all families, then the stretch rates of
-/// their members.
+/// all members.
 std::vector<double> read_memory(TileEvaluator& elements);
 void write_memory(TileEvaluator& elements, std::span<const double> numbers);
 

@@ -9,7 +9,7 @@
 namespace netloft {
 
 /// All elements of a scene, in tiles of 64 elements. A family contains elements of one type only. Families on
-/// the same nodes form a group and share its tiles.
+/// the same nodes form a group and share the tiles of the group.
 struct ElementTiles {
   std::span<const std::unique_ptr<ElementFamily>> families;
   std::vector<FamilyGroup> groups;
@@ -30,7 +30,7 @@ ElementTiles make_element_tiles(std::span<const std::unique_ptr<ElementFamily>> 
                                 const Numbering& numbering, const NodeBlocks& blocks,
                                 const SparsePattern& pattern);
 
-/// Makes the tiles of `families` from those of other families that have the same nodes.
+/// Makes the tiles of `families` from `like`, the tiles of other families that have the same nodes.
 ElementTiles tiles_of(std::span<const std::unique_ptr<ElementFamily>> families, const ElementTiles& like);
 
 }  // namespace netloft

@@ -12,13 +12,14 @@ namespace netloft {
 
 class ChangedWater;
 
-/// The node whose three coordinates are the rotation of a body. Such nodes follow those of the scene.
+/// The node whose three coordinates are the rotation of a body. Rotation nodes are numbered after the nodes
+/// of the scene.
 inline std::uint32_t rotation_node(const Scene& scene, std::size_t body) {
   return static_cast<std::uint32_t>(scene.node_count() + body);
 }
 
-/// All elements of one type in a scene, made by their plugin from the nodes of the scene. Elements keep the
-/// order of the parts, and within a part the order of its element list.
+/// All elements of one type in a scene, made by their plugin from the nodes of the scene. Elements are in the
+/// order of the parts and, within a part, in the order of its element list.
 class ElementFamily {
  public:
   /// Some unknowns, such as the front of a catch, are shared by all elements of a part. They are the

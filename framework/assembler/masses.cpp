@@ -37,8 +37,8 @@ std::size_t body_of(const ElementFamily& f, std::size_t element,
   return body;
 }
 
-/// Adds entry (r, c) of elements that belong to bodies. The first rows of such an element are for the origin
-/// of the body, the next for its rotation, the last for shared unknowns.
+/// Adds entry (r, c) of elements that belong to bodies. In the rows of an element, the origin of the body is
+/// first, then its rotation, and then shared unknowns.
 void add_on_bodies(const ElementFamily& f, const netloft_tile& t, std::size_t r, std::size_t c,
                    const double* lanes, std::span<const std::array<std::uint32_t, 2>> bodies,
                    MassBlocks& masses) {

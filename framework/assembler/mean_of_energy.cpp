@@ -10,11 +10,11 @@ namespace netloft {
 
 namespace {
 
-/// A difference of energies below this fraction of their magnitudes counts as rounding error.
+/// A difference of two energies below this fraction of the energies counts as rounding error.
 constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 
-/// Subtracts the rigid-body motion of an element from the displacements `moves` of its nodes. Both `moves`
-/// and the positions x have three numbers per node.
+/// Subtracts the rigid-body motion of an element from `moves`, the displacements of its nodes. `moves` and
+/// the positions x have three numbers per node.
 void take_out_rigid_motion(const double* x, std::size_t nodes, double* moves) {
   using Nodes = Eigen::Matrix<double, 3, Eigen::Dynamic>;
   const Eigen::Map<const Nodes> places(x, 3, static_cast<Eigen::Index>(nodes));

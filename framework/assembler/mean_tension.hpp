@@ -20,7 +20,7 @@ struct MeanStiffness {
 };
 MeanStiffness mean_stiffness(const netloft_member& member, double before, double after);
 
-/// Tension of a member of length l [N], its stiffness there [N/m], and whether it is taut.
+/// Tension [N] and stiffness [N/m] of a member of length l, and whether the member is taut.
 double tension_at(const netloft_member& member, double l);
 double stiffness_at(const netloft_member& member, double l);
 bool is_taut(const netloft_member& member, double l);

@@ -14,7 +14,8 @@ inline bool has_members(const ElementFamily& family) {
 }
 
 /// The members of all elements of a family at time zero, [element][member]. The family must have members.
-/// Throws std::runtime_error if its plugin cannot report them or breaks a rule of the plugin interface.
+/// Throws std::runtime_error if the plugin cannot report the members or breaks a rule of the plugin
+/// interface.
 std::vector<netloft_member> members_of(const ElementFamily& family);
 
 }  // namespace netloft

@@ -10,7 +10,7 @@ namespace netloft {
 
 /// The state that the elements of one family (all elements of one type) remember from the last accepted step,
 /// and their next state. The layout is [tile][width][64], so that a tile receives its part without a copy.
-/// All zeros mean that there was no step yet.
+/// Before the first step, all numbers are zero.
 class Memory {
  public:
   Memory(std::size_t tiles, std::size_t width)

@@ -10,9 +10,9 @@
 
 namespace netloft {
 
-/// Computes positions and rates of nodes from those of the unknowns. A node may be free, held, moved along a
-/// given path by a guide, carried by a rigid body, or have axes of its own. Elements see positions and rates
-/// only. Vectors over all degrees of freedom (dofs) have the order of `numbering()`.
+/// Computes the positions and rates of nodes from the unknowns and their rates. A node may be free, held,
+/// moved along a given path by a guide, carried by a rigid body, or have axes of its own. Elements see
+/// positions and rates only. Vectors over all degrees of freedom (dofs) have the order of `numbering()`.
 class Placement {
  public:
   /// `nodes` are the nodes of the scene, followed by nodes for the rotations of bodies and for unknowns that
@@ -36,8 +36,9 @@ class Placement {
   void move(double time, std::span<const double> x, std::span<const double> v, std::span<const double> a,
             std::span<double> all_v, std::span<double> all_a) const;
   /// Replaces rotation vectors longer than ¾ of a turn by the shorter vectors of the same rotations. Changes
-  /// displacements u of the unknowns and their rates, which may be empty. Must not be called during a solve,
-  /// because a solver compares displacements with earlier ones. Returns whether any vector was replaced.
+  /// the displacements u of the unknowns and their rates v and a, which may be empty. Must not be called
+  /// during a solve, because a solver compares displacements with earlier ones. Returns whether any vector
+  /// was replaced.
   bool shorten_rotations(std::span<double> u, std::span<double> v = {}, std::span<double> a = {}) const;
   /// Displacements of the unknowns that bring the nodes as close as possible to `positions`, 3 per node of
   /// the scene [m].

@@ -9,7 +9,8 @@ namespace netloft {
 // tangents to the values of a matrix [N/m]. Moments on bodies are divided by the arm, because the unknowns of
 // rotations are lengths.
 
-/// Adds the forces of the tile and keeps them in the tile, so that further terms can add to them.
+/// Adds the forces of the tile to `gradient`, and keeps them in the tile, so that further terms can add to
+/// them.
 void scatter_gradient(const Tiling& tiling, std::size_t tile, TileSums& sums, double* gradient);
 
 /// Adds forces and tangents. May overwrite the arrays of the tile. An argument that is nullptr is skipped.

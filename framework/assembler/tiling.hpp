@@ -30,8 +30,8 @@ struct Tiling {
       block_map;  // [tile][block][64] -> index of the first of nine values; ~index: add the transpose
   std::vector<std::vector<Twin>> twins;  // twins of each tile, if the matrix is symmetric; mostly empty
   std::size_t blocks_per_element = 0;    // number of pairs of corners (P, Q), Q <= P if symmetric
-  // Index of the first spare block of the array of matrix values. There is one per tile, which collects the
-  // entries of held nodes.
+  // Index of the first spare block of the array of matrix values. Each tile has one spare block, which
+  // collects the entries of held nodes.
   std::size_t first_spare = 0;
 
   std::size_t lanes(std::size_t tile) const;

@@ -22,7 +22,7 @@ struct Judging {
 
 struct Limits {
   double tolerance = kTolerance;  // largest nodal residual over the largest nodal load
-  // Largest number of iterations of one solve. It does not limit a strategy, which may continue from the
+  // Largest number of iterations of one solve. This does not limit a strategy, which may continue from the
   // final point of a solve.
   int iterations = 1000;
   double seconds = std::numeric_limits<double>::infinity();  // processor time that the user allows

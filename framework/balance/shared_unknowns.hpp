@@ -6,7 +6,7 @@
 
 namespace netloft {
 
-/// Whether an unknown belongs to all elements of a part together, such as the front of a catch. Such an
+/// Whether an unknown belongs to all elements of a part together, such as the front of a catch. A shared
 /// unknown is no position and has no mass. Its equation contains no rates, so that it does not depend on the
 /// past.
 inline bool is_shared(const Assembler& assembler, std::size_t i) {

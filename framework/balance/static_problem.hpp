@@ -22,8 +22,8 @@ struct SolverChoice {
   const void* parameters = nullptr;
 };
 
-/// Calls the solver. During the call, its plugin is recorded as running (plugin_call.hpp), so that the
-/// message about a crash can name it. Throws std::runtime_error if the plugin breaks a rule of the plugin
+/// Calls the solver. During the call, the solver's plugin is recorded as running (plugin_call.hpp), so that
+/// the message about a crash can name it. Throws std::runtime_error if the plugin breaks a rule of the plugin
 /// interface.
 netloft_outcome call_solver(SolverChoice solver, netloft_problem& problem);
 

@@ -9,9 +9,9 @@ namespace netloft {
 
 class Assembler;
 
-/// Cost of each operation of a solve, in floating-point operations of a factorisation. It is known before the
-/// first solution, and is the same on every machine and in every run. Budgets are given in units of one
-/// Newton iteration of the original scene:
+/// Cost of each operation of a solve, in floating-point operations of a factorisation. The cost is known
+/// before the first solution, and is the same on every machine and in every run. Budgets are given in units
+/// of one Newton iteration of the original scene:
 ///   unit = factorisation + solution + matrix + residual of that scene                       (1)
 ///   work = Σ count × cost / unit                                                            (2)
 struct WorkModel {

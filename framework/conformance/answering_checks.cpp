@@ -23,7 +23,7 @@ std::string not_finite(const Answer& a, std::size_t lane) {
   return {};
 }
 
-/// For these states, describes the first answer that is not finite. (A term may refuse states outside its
+/// Describes the first answer, at the states `s`, that is not finite. (A term may refuse states outside its
 /// domain.)
 std::string fault_of_terms(const Bench& b, const States& s) {
   for (const auto& term : b.type.terms)

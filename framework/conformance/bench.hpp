@@ -10,8 +10,8 @@
 
 namespace netloft::conformance {
 
-/// The threads of this program: their numbers in the system, in ascending order; empty if the system does not
-/// report them.
+/// The numbers that the system gives the threads of this program, in ascending order; empty if the system
+/// does not report them.
 using Threads = std::vector<int>;
 Threads threads_now();
 int number_of_this_thread();

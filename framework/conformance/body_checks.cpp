@@ -15,7 +15,7 @@ constexpr double kTurn = 6.283185307179586;
 
 using V = Vec3<double>;
 
-/// Reads three rows of a field [dof][64]: those of the body's origin, or those of its rotation.
+/// Reads three rows of a field [dof][64], which are the origin or the rotation of a body.
 V read(const std::vector<double>& field, std::size_t first, std::size_t lane) {
   return {field[at(first, lane)], field[at(first + 1, lane)], field[at(first + 2, lane)]};
 }

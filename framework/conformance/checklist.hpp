@@ -11,7 +11,8 @@ template <class Bench>
 struct Check {
   const char* name;
   Finding (*run)(Bench&);
-  // Names of other checks. If one of them failed, or was skipped because of a failure, this check is skipped.
+  // Names of other checks. If one of these checks failed, or was skipped because of a failure, this check is
+  // skipped.
   std::vector<const char*> depends_on;
   const char* hint;
 };

@@ -211,7 +211,7 @@ bool ConformanceReport::passed() const {
 
 namespace {
 
-/// The kinds of laws that the element accepts: it is tested with all of them.
+/// The kinds of laws that the element accepts. The element is tested with each of them.
 std::vector<std::uint32_t> law_kinds(const ElementType& type) {
   std::uint32_t accepted = 0;
   for (const auto& slot : type.laws) accepted |= slot.accepts;

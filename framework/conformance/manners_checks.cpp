@@ -260,7 +260,7 @@ namespace {
 constexpr int kRoundsPerThread = 50, kRoundsApart = 10;
 
 /// Evaluates a tile repeatedly, in one of two threads. The threads wait for each other from time to time: on
-/// a busy machine, the second one could otherwise start after the first has ended.
+/// a busy machine, the second thread could otherwise start after the first has ended.
 std::size_t count_differences(const Bench& b, const netloft_term& term, const States& s, std::uint32_t want,
                               const Answer& expected, std::barrier<>& both) {
   std::size_t differences = 0;

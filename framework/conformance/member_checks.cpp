@@ -78,8 +78,8 @@ void compare(Bench& b, const States& s, Worst& worst) {
 
 }  // namespace
 
-/// Checks that the members add up to their terms. Rounding is far below the limit: at a coordinate of 10 m,
-/// it causes a strain of 1e-12 in an element of 1 mm.
+/// Checks that the members add up to their terms. Rounding is far below the limit: in an element of 1 mm at a
+/// coordinate of 10 m, rounding causes a strain of 1e-12.
 Finding members_make_their_term(Bench& b) {
   if (b.type.members.count == 0) return not_applicable("the element declares no members");
   Worst worst(1e-6);

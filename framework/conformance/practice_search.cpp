@@ -339,7 +339,7 @@ int PracticeSearch::transfer(std::uint32_t from, const double* u, std::uint32_t 
   return NETLOFT_OK;
 }
 
-/// Work that is left. If it is less than the cheapest iteration, it counts as zero.
+/// The remaining work; zero if it is less than the cheapest iteration.
 double PracticeSearch::left() const {
   const double left = scene_.budget - spent_;
   return left < (1 + kStageCost) * std::exp2(1 - double(scene_.levels)) ? 0 : left;

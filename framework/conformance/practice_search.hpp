@@ -72,7 +72,7 @@ class PracticeSearch {
   /// A record of all requests and answers, bit by bit.
   const std::string& trace() const { return trace_; }
 
-  /// Number of stages after which a strategy counts as never ending; it then receives errors.
+  /// A strategy that requests more stages than this counts as never ending and receives errors.
   static constexpr int kMostStages = 10000;
   int stages = 0;  // calls of solve, call and problem
 

@@ -194,7 +194,7 @@ void Sampler::state(const Sample& sample, std::size_t element, States& s, std::s
   for (std::size_t node = 0; 6 * (node + 1) * kLanes <= s.bed.size(); ++node) lay_bed(s, node, length, lane);
 }
 
-/// Draws a bed for a node. The bed is above the node as often as below.
+/// Draws a bed for a node. The bed is as often above the node as below it.
 void Sampler::lay_bed(States& s, std::size_t node, double length, std::size_t lane) {
   s.bed[at(6 * node, lane)] = s.x[at(3 * node + 2, lane)] + length * uniform(-0.5, 0.5);
   for (std::size_t k = 1; k < 6; ++k)

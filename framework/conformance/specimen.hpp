@@ -59,7 +59,8 @@ struct Answer {
   bool ok() const { return status == NETLOFT_OK; }
 };
 
-/// Status of a call that broke a rule of the plugin interface (plugin_call.hpp), such as by an exception.
+/// Status of a call that broke a rule of the plugin interface (plugin_call.hpp), for instance by an
+/// exception.
 inline constexpr int kThrew = -1000;
 
 struct Refused : std::runtime_error {

@@ -33,8 +33,8 @@ struct NamedScene {
 };
 
 inline const PracticeScene kLinear{};
-// Newton's method diverges from the initial shape. It converges in stages with caps on stiffness, each ten
-// times the previous one.
+// Newton's method diverges from the initial shape. It converges in stages with caps on stiffness, if each cap
+// is ten times the previous one.
 inline const PracticeScene kGripped{.like = {.grip = 1e4}};
 inline const PracticeScene kTwoMeshes{.like = {.grip = 10}, .levels = 2};
 inline const PracticeScene kBuckling{.like = {.buckling = 10, .unknowns = 13}};

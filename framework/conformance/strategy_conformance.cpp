@@ -54,8 +54,8 @@ Finding strategy_lets_no_exception_escape(StrategyBench& b) {
 
 constexpr double kBalancedSearch = 1e-7;  // ten times the tolerance of the search
 
-/// Checks that the best answer is in balance. Skipped if the strategy requests no stage: it may not apply to
-/// such a small scene, or to a scene without a current.
+/// Checks that the best answer is in balance. Skipped if the strategy requests no stage, because it may not
+/// apply to small scenes or to scenes without a current.
 Finding is_answered(StrategyBench& b, PracticeScene scene) {
   scene.claims = b.type.strategy.needs & kMayBeClaimed;
   PracticeSearch search(scene);

@@ -44,7 +44,8 @@ bool no_step_helps(const Assessment& a, StaticProblem& problem, std::vector<doub
          problem.balance(x, residual).residual > a.balance.residual;
 }
 
-/// Estimates the distance of u from the equilibrium. Uses the factor of the stability check if there is one.
+/// Estimates the distance of u from the equilibrium. Uses the factor of the stability check if that check
+/// made one.
 void find_correction(Assessment& a, StaticProblem& problem, const AssembledScene& scene,
                      std::vector<double> u) {
   std::vector<double> step(u.size());
@@ -77,8 +78,8 @@ Stability stability_of(GrowthVerdict verdict) {
   }
 }
 
-/// Finds how fast disturbances grow at a point at which the gear has come to rest. For this, elements with
-/// friction remember this point instead of an earlier state.
+/// Finds how fast disturbances grow at a point at which the gear has come to rest. Elements with friction
+/// meanwhile remember this point instead of an earlier state.
 Growth find_growth_at_rest(const AssembledScene& scene, const Assessment& a, StaticProblem& problem) {
   Assembler& assembler = scene.assembler;
   const std::vector<double> past = assembler.memory();

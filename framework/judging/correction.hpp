@@ -23,15 +23,15 @@ struct NodeDistance {
   std::uint32_t node = 0;
 };
 
-/// The node with the largest distance between its positions in x and in y, vectors over all dofs. Rotations
-/// of rigid bodies are not positions; they count through the nodes that the body carries.
+/// The node with the largest distance between its positions in x and in y, both vectors over all dofs. The
+/// rotation of a rigid body counts only through the nodes that the body carries.
 NodeDistance furthest_node(const Scene& scene, const Numbering& numbering, std::span<const double> x,
                            std::span<const double> y);
 double largest_node_distance(const Scene& scene, const Numbering& numbering, std::span<const double> x,
                              std::span<const double> y);
 
 /// Points at a distance up to this fraction of the gear's size count as the same. Near an equilibrium, the
-/// energy grows with the square of the distance, and its relative error is about the tolerance.
+/// energy grows with the square of the distance, and the relative error of the energy is about the tolerance.
 inline const double kSamePlace = std::sqrt(kTolerance);
 
 }  // namespace netloft

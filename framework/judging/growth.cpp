@@ -106,8 +106,8 @@ Growth growth_by_powers(Cayley& A, Arnoldi& arnoldi) {
   return growth_of(arnoldi.outermost(kDistanceFromCircle), A);
 }
 
-/// Replaces the residual of a Ritz pair by the residual computed with A itself, if the latter is larger:
-/// rounding errors can make the residual of the recurrence too small.
+/// Replaces the residual of a Ritz pair by the residual computed with A itself if this is larger. (Rounding
+/// errors can make the residual from the recurrence too small.)
 RitzPair checked(Cayley& A, RitzPair pair) {
   const Vector real = pair.vector.real(), imaginary = pair.vector.imag();
   Eigen::VectorXcd rest = -pair.theta * pair.vector;

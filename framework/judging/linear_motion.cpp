@@ -21,7 +21,7 @@ constexpr double kTimeToFollow = 1e-3;
 const double kMetricFraction = std::sqrt(kRoundingOfMatrix * kMatters);
 
 /// Calls visit(row, column, slot, mirrored slot) for every entry on and below the diagonal, column by column,
-/// while visit returns true. The pattern must be that of a symmetric matrix, as all patterns of scenes are.
+/// while visit returns true. The pattern must be symmetric, as all patterns of scenes are.
 template <class Visit>
 bool for_pairs(const SparsePattern& p, Visit&& visit) {
   // For each column, the entry above the diagonal that is visited next.

@@ -39,9 +39,8 @@ struct AchievedAccuracy {
   double sum = 0;
   bool is_checked =
       false;  // whether the march was compared with another one; only then are the following members known
-  // Error of the path by (1), at time path_at and node path_of. It is infinite if the second march failed
-  // (path_of then has the reason), and NaN if it is unknown because both marches had steps of the same
-  // length.
+  // Error of the path by (1), at time path_at and node path_of. Infinite if the second march failed (path_of
+  // is then the reason); NaN if the error is unknown because both marches had steps of the same length.
   double path = 0;
   double path_at = 0;  // [s]
   std::string path_of = {};

@@ -220,7 +220,8 @@ void EnergyBudget::find_mean_rates() {
 }
 
 /// Adds the energy that added mass takes in a step, (4) of energy_budget.hpp. For the second term of (4), M v
-/// is evaluated at the mean velocity of the step, with the masses at its end and with those at its start.
+/// is evaluated at the mean velocity of the step, once with the masses at its end and once with the masses at
+/// its start.
 bool EnergyBudget::find_entrained() {
   find_mean_rates();
   Kinematics as_rates;

@@ -27,8 +27,8 @@ class EnergyWatch {
   /// Whether the energy of the step after this state will be examined.
   bool watches_step_after(const MarchState& state) const;
   /// Examines an attempted step, from one state to another at time t. On input, `error` is the error of the
-  /// step divided by its tolerance. On output, it is at least the left side of (1) divided by the right side.
-  /// Returns false if an element failed, see Assembler::fault.
+  /// step divided by its tolerance. On output, `error` is at least the left side of (1) divided by the right
+  /// side. Returns false if an element failed, see Assembler::fault.
   bool examine(TransientProblem& problem, const MarchState& from, const MarchState& to, double t,
                double& error);
   void accept() { judge_ = tried_; }

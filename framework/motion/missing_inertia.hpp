@@ -6,7 +6,8 @@
 
 namespace netloft {
 
-/// A degree of freedom without inertia. It can move, but nothing would bound its acceleration in a motion.
+/// A degree of freedom that can move but has no inertia, so that nothing would bound its acceleration in a
+/// motion.
 struct MissingInertia {
   std::uint32_t node = 0;                // number of the node; for a body, its origin
   std::optional<std::size_t> body = {};  // index of the body in the scene

@@ -16,7 +16,7 @@ class NodeMasses {
   /// Evaluates the masses at positions x over all dofs. Returns false if that fails, see Assembler::fault.
   bool update(std::span<const double> x);
   /// Computes a = −M⁻¹ r over the unknowns. If `massless_rest`, nodes without mass get no acceleration;
-  /// otherwise the result is false if there is such a node.
+  /// otherwise the result is false if a node has no mass.
   bool accelerate(std::span<const double> residual, std::span<double> a, bool massless_rest);
   /// y = M⁻¹ x over the unknowns.
   void divide(std::span<const double> x, std::span<double> y) const;

@@ -12,8 +12,8 @@ struct IntegratorChoice {
   const void* parameters = nullptr;
 };
 
-/// Calls an integrator. During a call, its plugin is recorded as running (plugin_call.hpp), so that the
-/// message about a crash can name it.
+/// Calls an integrator. During a call, the integrator's plugin is recorded as running (plugin_call.hpp), so
+/// that the message about a crash can name it.
 class StepScheme {
  public:
   explicit StepScheme(IntegratorChoice choice) : type_(*choice.type), parameters_(choice.parameters) {}

@@ -238,7 +238,8 @@ class March {
     }
   }
 
-  /// Attempts a step. If some winches hold a tension, repeats the step until their speeds fit their tensions.
+  /// Attempts a step. If some winches hold a tension, repeats the step until the speeds of these winches fit
+  /// their tensions.
   int try_step(double h) {
     if (winches_.empty()) return try_once(h);
     // The linear stiffness depends on rope lengths. It is evaluated anew here because a resumed march also

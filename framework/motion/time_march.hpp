@@ -21,9 +21,9 @@ struct StepMethods {
   SolverChoice solver;  // solver of implicit steps
 };
 
-/// Forces at the end of a step. They are not evaluated between the ends of a step, because stiff twines would
-/// turn the smallest error of interpolated positions into a force. If a scheme uses mean forces, the
-/// reactions are means over the step, too. Means agree with the change of momentum in the step, whereas
+/// Forces at the end of a step. Forces are not evaluated between the ends of a step, because stiff twines
+/// would turn the smallest error of interpolated positions into a large force. If a scheme uses mean forces,
+/// the reactions are means over the step, too. Means agree with the change of momentum in the step, whereas
 /// forces at its end oscillate from step to step with modes that are too fast for the scheme.
 struct ForceMoment {
   double t;  // [s]

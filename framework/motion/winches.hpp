@@ -40,7 +40,7 @@ class Winches {
   bool empty() const { return scene_.winches.empty(); }
   /// Adds the times at which stages begin and their tables have corners.
   void add_corners(std::vector<double>& times) const;
-  /// Sets the rope lengths that elements read to those of the last step.
+  /// Sets the rope lengths that elements read to the lengths of the last step.
   void restore();
   /// Begins an attempted step. In the first attempt, winches keep the speeds of the last step.
   void begin(double t, double h);

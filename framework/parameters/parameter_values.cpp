@@ -86,8 +86,8 @@ std::size_t column_count(const netloft_parameter& p) {
   return n;
 }
 
-/// Whether the row `next` of a table may follow `row`: the first column must increase; on a grid, it may also
-/// stay the same while the second column increases.
+/// Whether the row `next` of a table may follow `row`: the first column must increase; on a grid, the first
+/// column may also stay the same if the second one increases.
 bool may_follow(const netloft_parameter& p, const std::vector<double>& row, const std::vector<double>& next) {
   if (next[0] > row[0]) return true;
   return p.arguments == 2 && next[0] == row[0] && next[1] > row[1];

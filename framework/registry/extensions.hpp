@@ -29,8 +29,8 @@ struct ExtensionInputs {
   netloft_waves waves{sizeof(netloft_waves), 0, nullptr, nullptr};
   netloft_remembered memory{sizeof(netloft_remembered), 0, nullptr, nullptr};
 
-  /// Sets the input pointers of a tile, in the order of the list of inputs of its element. The pointers point
-  /// into this object.
+  /// Sets the input pointers of a tile, in the order in which its element lists the inputs. The pointers
+  /// point into this object.
   void hand_to(netloft_tile& tile, std::span<const ExtensionInput> listed) {
     if (places_.size() < listed.size()) places_.resize(listed.size());
     for (std::size_t k = 0; k < listed.size(); ++k) places_[k] = find(listed[k]);

@@ -16,7 +16,7 @@ struct UnknownComponent : PluginRefused {
   using PluginRefused::PluginRefused;
 };
 
-/// Finds, opens and checks plugins. The name of a component contains that of the file: "rope/bar" is the
+/// Finds, opens and checks plugins. The name of a component contains the name of the file: "rope/bar" is the
 /// element "bar" of rope.so. Only requested plugins are opened, and none is ever closed.
 class Registry {
  public:

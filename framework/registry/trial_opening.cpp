@@ -39,7 +39,7 @@ constexpr char kCameBack = 'b', kNeedsMemory = 'm',
 // File descriptor through which the process that makes trials sends messages to the program.
 constexpr int kTalk = STDERR_FILENO + 1;
 
-/// Discards the output of this process, because users cannot do anything with it.
+/// Discards the output of this process, because it is of no use to users.
 void be_quiet() {
   const int nowhere = open("/dev/null", O_RDWR);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
@@ -74,7 +74,7 @@ rlim_t memory_now() {
   return rlim_t{pages} * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// Limits a resource of this process from now on. If a user has set a lower limit, it stays.
+/// Limits a resource of this process from now on. A lower limit that a user has set stays.
 template <class Resource>
 void limit(Resource resource, rlim_t most) {
   rlimit now{};

@@ -109,7 +109,7 @@ struct Guide {
 enum Axis : std::uint8_t { kAxisX = 1, kAxisY = 2, kAxisZ = 4, kAllAxes = 7 };
 
 /// A rigid body: its origin is a node of the scene, and it carries other nodes. Its rotation vector
-/// (netloft/rotation.hpp) adds three unknowns, which are not a node of the scene.
+/// (netloft/rotation.hpp) adds three unknowns, which belong to no node of the scene.
 struct RigidBody {
   struct Point {
     std::uint32_t node;
@@ -117,7 +117,7 @@ struct RigidBody {
   };
   std::string name;
   std::uint32_t origin = 0;
-  // Rotation vector at the start, from the body's axes to those of the world [rad].
+  // Rotation vector at the start, from the axes of the body to the axes of the world [rad].
   std::array<double, 3> rotation = {};
   std::uint8_t held_rotation = 0;  // components of the rotation vector that cannot change
   std::vector<Point> points;
@@ -152,7 +152,7 @@ struct Scene {
   std::vector<double> positions;   // initial positions, 3 per node [m]
   std::vector<std::uint8_t> held;  // per node: the axes along which the node cannot move
   /// Axes of nodes that are held along axes other than x, y and z: the columns of a rotation matrix, stored
-  /// row by row. The bits of `held` of such a node refer to these axes.
+  /// row by row. For these nodes, the bits of `held` refer to these axes.
   std::map<std::uint32_t, std::array<double, 9>> frames;
   std::vector<RigidBody> bodies;  // bodies; their points are `carried`
   std::vector<bool> carried;      // per node: whether a body carries it; empty if there are no bodies

@@ -10,7 +10,7 @@ namespace netloft {
 
 namespace {
 
-/// Whether water moves past the gear, because it flows or because the gear moves through it.
+/// Whether water moves past the gear, because the water flows or because the gear moves through it.
 bool meets_flow(const Scene& scene, AnalysisKind kind) {
   return scene.current.flows() || (kind == AnalysisKind::dynamics && scene.water.density > 0);
 }

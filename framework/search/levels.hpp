@@ -12,8 +12,8 @@ namespace netloft {
 class Levels {
  public:
   virtual ~Levels() = default;
-  /// Largest possible number of meshes, at least one. Some levels may not exist; for these, `scene` returns
-  /// nullptr.
+  /// Largest possible number of meshes, at least one. Some levels may not exist; `scene` returns nullptr for
+  /// such a level.
   virtual unsigned most() const = 0;
   /// The scene on a level; 0 is the original mesh. nullptr if the level does not exist.
   virtual const Scene* scene(unsigned level) = 0;

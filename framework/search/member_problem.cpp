@@ -195,7 +195,8 @@ int MemberProblem::evaluate(const double* u, double* residual) {
   return all_finite({residual, x_.size()}) ? NETLOFT_OK : NETLOFT_OUTSIDE_DOMAIN;
 }
 
-/// Fixes the rotations of bodies: sets their moments to zero and removes their coupling to other equations.
+/// Fixes the rotations of bodies: sets the moments to zero and removes the coupling of rotations to other
+/// equations.
 void MemberProblem::fix_rotations(double* residual) {
   for (const std::size_t i : rotations_) residual[i] = 0;
   for (const std::size_t slot : of_rotations_) tangent_[slot] = 1;

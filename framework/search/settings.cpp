@@ -89,9 +89,9 @@ class SettingSearch {
   }
 
   /// Directions along which slopes are measured. The first direction changes all factors by the same amount;
-  /// each of the others changes one factor against all previous ones. Slopes along single factors would be
-  /// less accurate: with two warps, changing one length alone changes tensions much more than changing both
-  /// lengths together.
+  /// each of the others changes one factor in the sense opposite to all previous factors. Slopes along single
+  /// factors would be less accurate: with two warps, changing one length alone changes tensions much more
+  /// than changing both lengths together.
   static MatrixXd directions(Eigen::Index n) {
     MatrixXd all = MatrixXd::Zero(n, n);
     all.col(0).setOnes();

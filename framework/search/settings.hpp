@@ -12,7 +12,7 @@ namespace netloft {
 /// data as read.
 void set_factors(Scene& scene, std::span<const double> factors);
 
-/// Sum of the data of a setting over the elements of its part, such as the length of a rope.
+/// Sum of the data of a setting over the elements of the part; for a rope, its length.
 double amount_of(const Scene& scene, const Setting& setting);
 
 /// An equilibrium for given factors of the settings, and the reactions at the nodes of the settings [N].

@@ -54,7 +54,7 @@ double value_of(const Part& part, const ElementType& type, const netloft_paramet
   return faults.empty() ? block.number(parameter) : 0.0;
 }
 
-/// Whether a stiffness is axial (in newtons), not that of a hinge or of the ground.
+/// Whether a stiffness is axial (in newtons); the stiffness of a hinge or of the ground is not.
 bool is_in_newtons(const netloft_parameter& parameter) { return std::strcmp(parameter.unit, "N") == 0; }
 
 /// Calls visit(part, type, parameter) for every real parameter with the role.

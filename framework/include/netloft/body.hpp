@@ -14,12 +14,12 @@ struct Pose {
   Vec3<T> x;                    // origin [m]
   std::array<Vec3<T>, 3> axes;  // unit vectors
 
-  /// Converts a vector from the body's axes to those of the world.
+  /// Converts a vector from the axes of the body to the axes of the world.
   template <class S>
   Vec3<T> to_world(const Vec3<S>& r) const {
     return r.x * axes[0] + r.y * axes[1] + r.z * axes[2];
   }
-  /// Converts a vector from the axes of the world to those of the body.
+  /// Converts a vector from the axes of the world to the axes of the body.
   Vec3<T> to_body(const Vec3<T>& w) const { return {dot(axes[0], w), dot(axes[1], w), dot(axes[2], w)}; }
   /// Position of a point r of the body [m].
   template <class S>

@@ -38,7 +38,7 @@ class Motion {
   std::span<double> next_v() { return {m_.v_new, size()}; }
   std::span<double> next_a() { return {m_.a_new, size()}; }
   std::span<double> error() { return {m_.error, size()}; }
-  /// An array with a number for each unknown, which keeps its values from step to step. Every `index` has its
+  /// An array with a number for each unknown, whose values are kept from step to step. Every `index` has its
   /// own array.
   std::span<double> scratch(std::uint32_t index) { return {m_.scratch(m_.host, index), size()}; }
 

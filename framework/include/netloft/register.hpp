@@ -130,8 +130,8 @@ const netloft_plugin* describe_once(const char* name, const char* version, const
 }  // namespace detail
 }  // namespace netloft
 
-/// Defines the one exported symbol of a plugin. The code in braces registers its elements and solvers on
-/// `plugin`.
+/// Defines the one exported symbol of a plugin. The code in braces after the macro registers the elements and
+/// solvers on `plugin`.
 #define NETLOFT_PLUGIN(name, version, doc)                                        \
   static void netloft_describe(netloft::Plugin& plugin);                          \
   extern "C" NETLOFT_EXPORT const netloft_plugin* NETLOFT_PLUGIN_SYMBOL(void) {   \

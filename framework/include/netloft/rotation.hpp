@@ -110,11 +110,13 @@ Vec3<T> moment_on_vector(const Vec3<T>& psi, const Vec3<T>& moment) {
 }
 
 /// Returns T⁻¹ω = ω − ψ×ω/2 + d ψ×(ψ×ω), d = (1 − a/2b)/φ²: the rate of the rotation vector ψ at the spin ω.
-/// Called with −ψ, it inverts (4): it returns m for a given Tᵀm. The angle φ = ‖ψ‖ must not be a full turn.
+/// With −ψ instead of ψ, the function inverts (4): it returns m for a given Tᵀm. The angle φ = ‖ψ‖ must not
+/// be a full turn.
 inline Vec3<double> rate_of_spin(const Vec3<double>& psi, const Vec3<double>& omega) {
   const double s = dot(psi, psi);
   const auto f = detail::rotation_factors<double>(s);
-  // For small s, 2b − a suffers from cancellation, and d is replaced by the first two terms of its series.
+  // For small s, 2b − a suffers from cancellation. d is therefore the sum of the first two terms of its
+  // series.
   const double d = s < 1e-4 ? 1.0 / 12 + s / 720 : (2 * f.b - f.a) / (2 * f.b * s);
   const Vec3<double> once = cross(psi, omega);
   return omega - 0.5 * once + d * cross(psi, once);

@@ -50,7 +50,7 @@ struct Bed {
   }
 };
 
-/// One element's inputs in `evaluate`. An input is zero if the term has no trait that requests it.
+/// The inputs of one element in `evaluate`. An input is zero if no trait of the term requests it.
 template <int Nodes>
 struct State {
   Points<double, Nodes> x{}, v{}, a{}, current{}, current_dz{};

@@ -12,7 +12,7 @@
 
 namespace netloft {
 
-/// Σ aᵢ bᵢ in four partial sums, so that no addition waits for the one before it.
+/// Σ aᵢ bᵢ in four partial sums, so that no addition has to wait for the previous one.
 inline double dot(std::span<const double> a, std::span<const double> b) {
   double sum[4] = {};
   std::size_t i = 0;
