@@ -30,6 +30,7 @@ bool is_float(const Pieces& pieces) { return number_of(pieces, "buoyancy", "N") 
 Cures cures_of_number(const Pieces& pieces, const std::string& path, double number, int step) {
   const double whole = step * std::floor(number / step);
   if (whole <= 0) return {};
+  if (pieces.has_number) return {set(path, {{}, whole})};
   const bool is_along = !pieces.along.empty();
   return {set(path, as_text(fmt::format("{:g} {} {}", whole, is_along ? "along" : "at",
                                         is_along ? pieces.along : pieces.at)))};
@@ -38,7 +39,11 @@ Cures cures_of_number(const Pieces& pieces, const std::string& path, double numb
 void check_count(const Pieces& pieces, const std::string& path, bool is_on_both_sides,
                  formats::Diagnostics& diagnostics) {
   const int step = is_on_both_sides ? 2 : 1;
-  if (pieces.number != std::round(pieces.number))
+  if (pieces.number != std::round(pieces.number) && pieces.has_number)
+    diagnostics.warning(pieces.spread_place,
+                        fmt::format("{}: {:g} pieces can be computed but not rigged", path, pieces.number),
+                        "", cures_of_number(pieces, path, pieces.number + step / 2.0, step));
+  else if (pieces.number != std::round(pieces.number))
     diagnostics.error(pieces.spread_place,
                       fmt::format("{}: {:g} pieces, which is not a whole number", path, pieces.number),
                       "give pieces of another size a table of their own in [floats]",
@@ -89,7 +94,7 @@ bool is_on_both_sides(const NetPlan& plan, const Pieces& pieces) {
 
 void check_pieces(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   for (const auto& pieces : plan.pieces) {
-    const std::string path = path_of({"floats", pieces.name, "spread"});
+    const std::string path = path_of({"floats", pieces.name, pieces.has_number ? "number" : "spread"});
     const int errors_before = diagnostics.errors();
     double length = 0;
     if (pieces.along.empty())

@@ -187,8 +187,9 @@ struct Join {
 struct Pieces {
   std::string name, part_name;
   formats::Value piece;
-  double number = 0;      // pieces in the whole gear
-  std::string along, at;  // exactly one of them is set
+  double number = 0;        // pieces in the whole gear
+  bool has_number = false;  // whether its key `number` says how many, and not `spread`
+  std::string along, at;    // exactly one of them is set
   formats::Place place, spread_place;
 
   bool is_along_edge() const { return along.find('.') != std::string::npos; }

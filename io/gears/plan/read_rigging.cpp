@@ -30,13 +30,17 @@ std::vector<std::string> read_row(const formats::Value& said, const std::string&
   return names;
 }
 
-/// Splits a text such as "47 along headrope" or "2 at footrope.end".
+/// Splits a text such as "47 along headrope" or "2 at footrope.end". If the key `number` says how many, the
+/// text need not begin with a number, and its number is ignored.
 bool split_spread(const std::string& text, Pieces& pieces) {
   const auto* end = text.data() + text.size();
-  const auto [after, error] = std::from_chars(text.data(), end, pieces.number);
-  const std::string rest(after, end);
+  double number = 0;
+  const auto [after, error] = std::from_chars(text.data(), end, number);
+  const bool is_counted = error == std::errc();
+  const std::string rest = is_counted ? std::string(after, end) : " " + text;
   constexpr std::string_view kAlong = " along ", kAt = " at ";
-  if (error != std::errc() || !(pieces.number > 0) || pieces.number > kMostPieces) return false;
+  if (is_counted ? !(number > 0) || number > kMostPieces : !pieces.has_number) return false;
+  pieces.number = number;
   if (rest.starts_with(kAlong)) pieces.along = rest.substr(kAlong.size());
   if (rest.starts_with(kAt)) pieces.at = rest.substr(kAt.size());
   return !pieces.along.empty() || !pieces.at.empty();
@@ -149,6 +153,7 @@ Pieces read_pieces(const std::string& name, formats::TableReader& table, const C
   ChosenPart part = read_part_choice(table, "float", "float", catalogue);
   pieces.part_name = std::move(part.name);
   pieces.piece = std::move(part.table);
+  pieces.has_number = table.has("number");
   const std::string spread =
       table.text("spread", {.doc = "how many pieces along which rope, or at which point"});
   pieces.spread_place = table.place("spread");
@@ -156,6 +161,10 @@ Pieces read_pieces(const std::string& name, formats::TableReader& table, const C
     table.error("spread", "\"" + spread + "\" is not understood",
                 "give a number of pieces and a rope, an edge or a point, such as \"47 along headrope\" "
                 "or \"2 at footrope.end\"");
+  pieces.number = table.real("number", {.unit = "1",
+                                        .doc = "pieces in the whole gear, instead of the number in spread",
+                                        .range = formats::between(1e-3, kMostPieces),
+                                        .fallback = pieces.number});
   return pieces;
 }
 

@@ -150,6 +150,19 @@ TEST(Gear, PiecesOfAPairAreSharedOutBetweenBothSides) {
   }
 }
 
+TEST(Gear, HasAsManyPiecesAsTheKeyNumberSays) {
+  for (const std::string spread : {"11 along headline", "along headline"}) {
+    const auto checked =
+        check_text(changed_plan("\"11 along headline\"", "\"" + spread + "\"\nnumber = 7.5"));
+    ASSERT_EQ(checked.diagnostics.errors(), 0) << checked.said();
+    EXPECT_NE(checked.said().find("floats.top.number: 7.5 pieces can be computed but not rigged"),
+              std::string::npos)
+        << checked.said();
+    EXPECT_DOUBLE_EQ(pieces(make_gear(checked.plan, Extent::whole), "top").number, 7.5);
+  }
+  EXPECT_GT(check_text(changed_plan("\"11 along headline\"", "\"along headline\"")).diagnostics.errors(), 0);
+}
+
 TEST(Gear, PiecesStandOnTheirOwnSide) {
   const auto edges = check_text(changed_plan("11 along headline", "11 along wing.inner"));
   const Gear gear = make_gear(edges.plan, Extent::whole);
