@@ -32,9 +32,9 @@ namespace netloft::boards {
 /// guess has boards metres deep in the ground. Ploughing does not support the board: the contact of the board
 /// with the bed belongs to elements seabed/bed, at points of its shoe.
 ///
-/// Source of (1)-(3): the form of FAO, Otter board design and performance (1974). The force on a body in a
-/// uniform flow depends on two angles of the flow in the axes of the body. Unlike the attack, heel and trim
-/// of a test rig, these angles have no singularity at working angles.
+/// Source of (1)-(3): FAO, Otter board design and performance (1974). The force on a body in a uniform flow
+/// depends on two angles of the flow in the axes of the body. α and β, unlike the angles of a test rig
+/// (attack, heel and trim), have no singularity in the working range.
 struct Otter {
   static constexpr auto stencil = NETLOFT_BODY;
   struct Parameters : solids::Solid {
@@ -84,8 +84,7 @@ struct Coefficients {
   T at_chord, at_span;  // point of action by (3) [m]
 };
 
-/// Returns i of plate.hpp (7), which increases the aspect ratio near the bed, for a clearance of the lower
-/// edge.
+/// Returns the number i of plate.hpp (7), which increases the aspect ratio if the lower edge is near the bed.
 template <class T>
 T image_in_bed(const Otter::Parameters& p, const Body<T>& b) {
   if (!b.bed.is_there) return T(0);
@@ -124,8 +123,8 @@ Coefficients<T> of_table(const Otter::Parameters& p, const Otter::Whole& t, cons
   return c;
 }
 
-/// Fraction of the coefficients that comes from the plate: 0 within the table, rising smoothly to 1 for a
-/// flow 20° beyond its edge.
+/// Weight of the plate's coefficients against those of the table: 0 for a flow within the table, rising
+/// smoothly to 1 at 20° beyond the edge of the table.
 template <class T>
 T weight_of_plate(const Otter::Whole& t, const T& alpha, const T& beta) {
   constexpr double kPassage = 0.3490658503988659;  // 20° [rad]

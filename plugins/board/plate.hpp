@@ -15,21 +15,21 @@ namespace netloft::boards {
 ///   A → A^(cos 2χ),   tan χ = w_z/w_x                                                                    (5)
 ///   Δ = (½ − ξ₀) L K_p c/(K_p c + K_v s),   ξ₀ = ¼ A^1.25/(A^1.25 + 0.48)                                (6)
 ///   A = (1 + i) span/chord,   i falls by a cubic from 1 on the bed to 0 at a clearance of a span         (7)
-/// A is the aspect ratio, increased by i near the bed, by (7); by (5), it changes for a flow at the angle χ
-/// to the chord. A cubic in the 16° about α_s leads from (1) to (2). The normal force acts upstream of the
-/// middle of the plate, at the distance Δ, where L = chord cos²χ + span sin²χ is the width of the plate in
-/// the direction χ.
+/// A is the aspect ratio (7), which i increases near the bed; for a flow at the angle χ to the chord, (5)
+/// replaces A. A cubic blends (1) into (2) over 16° about α_s. The normal force acts upstream of the middle
+/// of the plate, at the distance Δ, where L = chord cos²χ + span sin²χ is the width of the plate in the
+/// direction χ.
 ///
 /// Sources: (1) E. C. Polhamus, NASA TN D-3767 (1966): leading-edge suction turned into normal force; K_v is
-/// that of low aspect ratios. (2) L. A. Viterna and R. D. Corrigan, DOE/NASA large wind turbine workshop
-/// (1981), for a force along the normal; C_90 with A' = max(A, 1/A) as there. (3) K_p after H. B. Helmbold,
-/// Jahrbuch der deutschen Luftfahrtforschung (1942): within 5 % of a vortex lattice for A = 0.4 to 3 (in a
-/// test). (4) fits the stall angles of square and wider plates (S. F. Hoerner and H. V. Borst, Fluid-Dynamic
-/// Lift, 1985, chapter 17): 34° for A = 1, 24° for 2, 19° for 3, 38° for slender plates. (5): a plate in a
-/// flow along its span acts as a plate of the reciprocal aspect ratio. (6): the part with K_p acts at ξ₀,
-/// within 0.004 of the vortex lattice at small angles; the part with K_v acts in the middle. (7): on the bed,
-/// a board and its mirror image form a board of twice the span; the clearance of one span, at which the
-/// effect ends, is a choice. The error of C_N is about 20 % near the greatest lift.
+/// his value for low aspect ratios. (2) L. A. Viterna and R. D. Corrigan, DOE/NASA large wind turbine
+/// workshop (1981), for a force along the normal; C_90 with A' = max(A, 1/A) is theirs, too. (3) K_p after H.
+/// B. Helmbold, Jahrbuch der deutschen Luftfahrtforschung (1942): within 5 % of a vortex lattice for A = 0.4
+/// to 3 (in a test). (4) fits the stall angles of square and wider plates (S. F. Hoerner and H. V. Borst,
+/// Fluid-Dynamic Lift, 1985, chapter 17): 34° for A = 1, 24° for 2, 19° for 3, 38° for slender plates. (5): a
+/// plate in a flow along its span acts as a plate of the reciprocal aspect ratio. (6): the part with K_p acts
+/// at ξ₀, within 0.004 of the vortex lattice at small angles; the part with K_v acts in the middle. (7): on
+/// the bed, a board and its mirror image form a board of twice the span; the clearance of one span, at which
+/// the effect ends, is a choice. The error of C_N is about 20 % near the greatest lift.
 template <class T>
 struct PlateForce {
   T normal;       // coefficient C_N of the force along y, positive where w_y > 0

@@ -21,11 +21,11 @@ namespace netloft::catches {
 /// all three are behind, I = s̄ and w_i = ⅓. p₀ [Pa] is a given pressure, V [m/s] the speed of the water, C_d
 /// the drag coefficient of the catch, ψ the direction of the flow, ξ [m] the position of the plane along the
 /// flow. All triangles of a part share ξ, which is either given or an unknown with the equation (7). In (7),
-/// V₀ [m³] is the volume of the catch (of its half in half a gear), and σ [1] the fraction of V₀ at a given
-/// time, from a table (linear between its times) or 1. By the theorem of Gauss, Σ v is the volume between the
-/// plane and the netting, if the netting is closed behind the plane. o is 1 if the corners are
-/// counter-clockwise seen from outside, and −1 if they are clockwise. Source: the catch of FEMNET (D.
-/// Priour), where ξ is found by bisection without its tangent.
+/// V₀ [m³] is the volume of the catch (half of it if half a gear is modelled), and σ [1] the fraction of V₀
+/// at a given time, from a table (linear between its times), or 1 without a table. By the theorem of Gauss, Σ
+/// v is the volume between the plane and the netting, if the netting is closed behind the plane. o is 1 if
+/// the corners are counter-clockwise seen from outside, and −1 if they are clockwise. Source: the catch of
+/// FEMNET (D. Priour), where ξ is found by bisection and has no tangent.
 struct Front {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
   static constexpr int globals = 1;  // shared unknown: ξ

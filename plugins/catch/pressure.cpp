@@ -39,9 +39,9 @@ struct FilledSlice {
   double n, arm;
 };
 
-/// A cut through a triangle at `depth` meshes from one corner; the other two corners are at the depths
-/// `first` and `second` from it. `away` is 1 if the cut moves away from that corner as the number m of filled
-/// meshes grows, and −1 if the cut moves towards the corner.
+/// A cut through a triangle at `depth` meshes from one corner; the other two corners are `first` and `second`
+/// meshes from the same corner. As the number m of filled meshes grows, the cut moves away from this corner
+/// (`away` = 1) or towards it (`away` = −1).
 struct Cut {
   double depth, first, second, away;
 };

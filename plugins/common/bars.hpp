@@ -14,14 +14,15 @@ namespace netloft::bars {
 ///   G = V (ρ − ρ_w) g              weight in water, half per node    (2)
 ///     V = N (π/4) D² l₀
 ///   F = N l₀ f(W, t)               drag, half per node               (3)
-///     W = ½ (c₀ + c₁) − ½ (v₀ + v₁), c the current, v the velocity; f [N/m] the law of the part
+///     W = ½ (c₀ + c₁) − ½ (v₀ + v₁), c the current, v the velocity; f [N/m] the law of drag of the part
 ///   T_d = N (η/l₀) dl/dt           damping along the bar             (4)
 ///   r_p = ½ V [(ρ + C_a ρ_w) a_p − C_a ρ_w (t·a_p) t]   inertia      (5)
 ///     a_p acceleration of node p; added mass acts only across the bar; masses are lumped at the nodes
 /// l₀ [m] unstretched length, D [m] diameter, ρ [kg/m³] density of the material, ρ_w of the water, g [m/s²],
 /// η [N s] damping (EA times a relaxation time), C_a [1] added mass over displaced mass. N ≥ 0 (1 for a rope)
-/// need not be whole. (5) is the force in water without acceleration; `add_waves` adds that of accelerated
-/// water. Source: the trawl-gear paper, section 2.3 and eq. (2); Morison et al. 1950.
+/// need not be an integer. (5) is the force in water that is not accelerated; `add_waves` adds the force that
+/// the acceleration of the water exerts. Source: the trawl-gear paper, section 2.3 and eq. (2); Morison et
+/// al. 1950.
 struct Lanes {
   double l0[kLanes];                          // [m]
   double EA[kLanes], EA_compression[kLanes];  // N EA and N EA_c of N twines [N]
@@ -73,7 +74,7 @@ inline void add_blocks(const double (&A)[6][kLanes], std::uint32_t count, double
     }
 }
 
-/// Adds the metric, the constant upper bound (6) of the stiffness in axial.hpp.
+/// Adds the metric: M of axial.hpp (6), a constant upper bound of the stiffness.
 inline void add_metric(const Lanes& p, netloft_tile& t) {
   double A[6][kLanes];
   for (std::size_t i = 0; i < t.count; ++i) {

@@ -53,8 +53,8 @@ inline void find_turn(const Chords& chord, const FlowLanes& f, std::size_t count
 }
 
 /// Adds −½ N l₀ ∂f to the rows of both nodes in the tangent, where ∂f is the derivative of the drag per metre
-/// with respect to node q. cu and cv are the tile's factors of derivatives by position and by velocity; the
-/// sign is + for the second node:
+/// with respect to node q. cu and cv are the tile's factors on derivatives with respect to position and
+/// velocity; ± is + for the second node:
 ///   ∂f = cu [½ ∂f/∂W (dc/dz)_q e_zᵀ ± ∂f/∂t (I − t tᵀ)/l] − cv ½ ∂f/∂W
 inline void add_drag_tangent(const Lanes& p, const Chords& chord, const FlowLanes& f, netloft_tile& t) {
   const double cu = t.cu, cv = t.cv;
@@ -123,7 +123,8 @@ inline void angle_of(const Lanes& p, const netloft_tile& t, double* values) {
   }
 }
 
-/// A damper for every bar, with the tension c (dl/dt − g l); its unstretched length grows at the rate g.
+/// One damper for every bar. Its tension is c (dl/dt − g l), where g is the relative growth rate of the
+/// unstretched length of the bar.
 struct Dampers {
   double c[kLanes] = {}, slope[kLanes] = {};  // c and dc/dl
   double growth[kLanes] = {};                 // rate g [1/s]
@@ -215,8 +216,8 @@ inline Status add_inertia(const Lanes& p, netloft_tile& t) {
 /// Adds the force that the acceleration u′ [m/s²] of the water exerts. It is the inertia (5) of a bar made of
 /// water, with the opposite sign:
 ///   r_p = −½ V [ρ_w (1 + C_a) u′ − C_a ρ_w (t·u′) t]                                                 (6)
-/// Part of it is the pressure of the waves on the displaced volume (Froude and Krylov), which acts in all
-/// directions like buoyancy; the terms with C_a are added mass, which acts across the bar.
+/// Part of it is the pressure of the waves on the displaced volume (Froude and Krylov), which, like buoyancy,
+/// acts along and across the bar; the terms with C_a are added mass, which acts across the bar.
 inline Status add_waves(const Lanes& p, netloft_tile& t) {
   const double* acceleration = water_acceleration_of(t);
   if (!acceleration) return Status::ok;

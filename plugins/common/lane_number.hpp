@@ -10,11 +10,11 @@ namespace netloft {
 ///   x = 2ᵏ m, √½ < m < √2,  f = m − 1,  s = f/(2 + f)
 ///   ln x = k ln 2 + f − ½ f² + s (½ f² + R(s²))                          (1)
 ///   k = round(x/ln 2),  r = x − k ln 2,  c = r − r² P(r²),  eˣ = 2ᵏ (1 + r + r c/(2 − c))     (2)
-/// R and P are the polynomials of fdlibm (Sun Microsystems 1993, e_log.c, e_exp.c), and ln 2 consists of two
-/// parts. Both functions are within one unit in the last place. Plugins are compiled so that sums and
-/// products are rounded one by one (-ffp-contract=off); a number therefore has the same bits in any lane, in
-/// a loop or in its remainder, and on any processor. Arguments are not checked; callers have to bound them or
-/// to discard the result:
+/// R and P are the polynomials of fdlibm (Sun Microsystems 1993, e_log.c, e_exp.c), and ln 2 is the sum of
+/// two constants. The error of both functions is within one unit in the last place. Plugins are compiled so
+/// that sums and products are rounded one by one (-ffp-contract=off); a result therefore has the same bits in
+/// any lane, in the vectorised part or the remainder of a loop, and on any processor. Arguments are not
+/// checked; callers have to bound them or to discard the result:
 ///   ln x    normal numbers above zero. Zero and subnormal numbers give −709.1; negative and infinite numbers
 ///           and NaN give finite numbers without a meaning, such as ln(−1) = 1420 and ln(NaN) = 710.
 ///   eˣ      |x| < 708. Beyond that, the result may be any number, even negative or NaN.
@@ -54,7 +54,8 @@ inline double exp(double x) {
 }  // namespace lane
 
 /// A number that depends on one variable v, and its derivative with respect to ln v. Loops over lanes use it
-/// because Dual<1, 1> is slower there. A compiler may compute one logarithm for all powers of one number.
+/// because Dual<1, 1> is slower there. If a loop takes several powers of one number, a compiler may compute
+/// its logarithm only once.
 struct LaneNumber {
   double value = 0, slope = 0;
 

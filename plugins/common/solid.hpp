@@ -153,7 +153,8 @@ inline constexpr SolidRow kSolidRows[] = {
      &Solid::added_at_z, kPlace},
 };
 
-/// Declares the parameters of a Solid with a prefix such as "body.", the side, and the terms above.
+/// Declares the parameters of a Solid, with names that begin with `prefix` (such as "body."), the datum
+/// `side`, and the terms Weight and Inertia.
 template <class E>
 void declare_solid(ElementTable<E>& e, const std::string& prefix, Real mass) {
   using P = typename E::Parameters;

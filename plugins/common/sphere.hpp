@@ -21,7 +21,8 @@ T sphere_drag(const T& reynolds) {
          0.25 * c / (1.0 + c);  // b^−7.94/(1 + b^−8)
 }
 
-/// Returns Re C_d, which remains finite at rest. It is 24 (Stokes' law) to 1e-7 below Re = 1e-3.
+/// Returns Re C_d, which remains finite at rest. Below Re = 1e-3, it is 24 (Stokes' law) with a relative
+/// error of at most 1e-7.
 template <class T>
 T sphere_phi(const T& Re) {
   return Re < T(1e-3) ? T(24) : Re * sphere_drag(Re);

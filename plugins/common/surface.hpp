@@ -8,7 +8,7 @@
 namespace netloft::surface {
 
 /// Drag and buoyancy that twines and ropes lose above the surface of the water. Each node of an element is
-/// taken as a cube of side h, whose part below the surface is wet:
+/// modelled as a cube of side h; the part of the cube below the surface is wet:
 ///   h³ = V/N,  w = clamp((h/2 − (z − η))/h, 0, 1)    wet fraction    (1)
 ///   r_p = −σ (1 − w_p) r_p^drag                drag                (2)
 ///   r_p = σ (1 − w_p) (V/N) ρ_w g e_z          buoyancy of bars    (3)
@@ -60,7 +60,7 @@ struct Drag {
   static constexpr int dofs = 3 * N;
   double force[dofs * kLanes] = {}, tangent[dofs * dofs * kLanes] = {};
 
-  /// Copies a tile, with the arrays of this object as the places for the results.
+  /// Returns a copy of the tile whose results go into the arrays of this object.
   netloft_tile answer_of(const netloft_tile& t) {
     netloft_tile inner = t;
     inner.energy = nullptr;

@@ -20,12 +20,12 @@ namespace netloft::flows {
 /// still water. By Green's theorem, the sum of V³ ΔA over the rim is the integral of V³ over the mouth, also
 /// if the current changes with depth. In half a gear, the rim ends in the plane of symmetry y = 0, which adds
 /// nothing to the area; both sides of (2) are then halves. The wings and ropes ahead of the mouth are in
-/// water that is not slowed yet, but their drag counts in (2), too.
-/// Sources: (1) to (3) for a ≤ 0.4 H. Glauert, Airplane propellers, in: W. F. Durand (ed.), Aerodynamic
-/// Theory IV, 1935; beyond, the empirical branch of M. L. Buhl, A new empirical relationship between thrust
-/// coefficient and induction factor for the turbulent windmill state, NREL/TP-500-36834, 2005, without tip
-/// losses. Both have the same value and slope at a = 0.4. Range: steady towing. A bag that is long compared
-/// with its mouth slows the water less than (1) at its front and more at its aft end.
+/// undisturbed water, but (2) includes their drag, too. Sources: for (1), (2), and (3) up to a = 0.4, H.
+/// Glauert, Airplane propellers, in: W. F. Durand (ed.), Aerodynamic Theory IV, 1935; for (3) beyond a = 0.4,
+/// the empirical branch of M. L. Buhl, A new empirical relationship between thrust coefficient and induction
+/// factor for the turbulent windmill state, NREL/TP-500-36834, 2005, without tip losses. Both have the same
+/// value and slope at a = 0.4. Range: steady towing. A bag that is long compared with its mouth slows the
+/// water less than (1) at its front and more at its aft end.
 struct Momentum {
   static constexpr auto stencil = NETLOFT_BAR;
   static constexpr int globals = 1;  // shared unknown: a
@@ -49,7 +49,7 @@ struct Momentum {
     if (a < T(0.4)) return 4.0 * a * (1.0 - a);
     return 8.0 / 9 + a * (-4.0 / 9 + (14.0 / 9) * a);
   }
-  /// V ΔA of (4), for the current U at the bar [m3/s].
+  /// V ΔA of (4) for a bar in the current U [m3/s].
   template <class T>
   static T flux(const Vec3<T>& from, const Vec3<T>& to, const Vec3<T>& U) {
     const auto across = [&](const Vec3<T>& x) { return U.x * x.y - U.y * x.x; };

@@ -10,7 +10,7 @@ namespace netloft::forces {
 /// that was measured in the axes of a board.
 ///   f = R F,   m = r × f                                                (1)
 /// F [N] is the force in the axes of the body, with y outward on either side of a gear; R is the rotation of
-/// the body, r the lever from its origin to the point of action, m the moment. The force has no energy,
+/// the body, r the lever from its origin to the point of action, m the moment. The force has no potential,
 /// because its work depends on the path.
 struct OnBody {
   static constexpr auto stencil = NETLOFT_BODY;

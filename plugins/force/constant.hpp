@@ -9,8 +9,8 @@ namespace netloft::forces {
 /// A constant force at a node, independent of the shape of the gear, such as that of an otter board or a
 /// winch that is not modelled.
 ///   E = −s F·x,  r = −s F                                                 (1)
-/// F [N] is the force in the axes of the world. s is the number of such forces at the node; on a plane of
-/// symmetry, of which the model has one side, it is one half.
+/// F [N] is the force in the axes of the world. s is the number of such forces at the node: ½ if the node
+/// lies in the plane of symmetry of a gear of which one half is modelled.
 struct Constant {
   static constexpr auto stencil = NETLOFT_NODE;
 

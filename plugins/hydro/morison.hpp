@@ -9,7 +9,7 @@ namespace netloft::hydro {
 /// so that F = ½ ρ D [C_n ‖U_n‖ U_n + C_t |τ| τ t] per metre; C_n and C_t are the coefficients for the flow
 /// across and along the twine. Source: the trawl-gear paper, eqs. (2) and (4); Morison et al. 1950 for the
 /// drag of a cylinder. For netting, it over-predicts the drag at small angles of attack, because twines are
-/// in the wake of others.
+/// then in the wake of other twines.
 struct Morison {
   static constexpr auto kind = NETLOFT_TWINE_LAW;
   struct Parameters {

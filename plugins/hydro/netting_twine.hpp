@@ -8,8 +8,8 @@
 
 namespace netloft::hydro {
 
-/// Force of the water on a metre of twine of knotted netting. Drag across the twine, friction along it and
-/// the knots have a Reynolds number each:
+/// Force of the water on a metre of twine of knotted netting. Drag across the twine, friction along the
+/// twine, and drag of the knots depend on a separate Reynolds number each:
 ///   U = r W,  τ = U·t,  U_n = U − τ t,  s = ‖U_n‖,  u = ‖U‖,  û = U_n/s,  ê = U/u              (1)
 ///   F = k(s) U_n + a(e) τ t + m(u) U                                                          (2)
 ///   k = ½ ρ ν φ(s D/ν)                                   a cylinder across, reynolds.hpp       (3)
@@ -23,11 +23,11 @@ namespace netloft::hydro {
 /// over that of the twines, κ [1] diameter of a knot over that of the twine; one knot belongs to two bars of
 /// length l, so that K = π κ² D/(8 l). At small angles to the flow, twines have little drag, but knots have
 /// as much as at any angle. At the Reynolds numbers of models in tanks, friction along twines is several
-/// times that at sea. Sources: (3), (4) Choo and Casarella 1971, as in reynolds.hpp, (4) for 30 < Re < 10⁴;
-/// (5) Morrison 2013. Knots as spheres: Fredheim, Current forces on net structures, NTNU 2005. Deviations:
-/// (4) as published uses s for e; at s = 0 it has no friction and no derivative. With ε = 0.1, a is constant
-/// within 6° of the twine; with the 1 in Re², friction is linear in the velocity near rest. The wake of other
-/// twines enters only through r.
+/// times that at sea. Sources: (3), (4) Choo and Casarella 1971, as in reynolds.hpp, with (4) valid for 30 <
+/// Re < 10⁴; (5) Morrison 2013. Knots as spheres: Fredheim, Current forces on net structures, NTNU 2005.
+/// Deviations: (4) as published uses s for e; at s = 0 it has no friction and no derivative. With ε = 0.1, a
+/// is constant within 6° of the twine; with the 1 in Re², friction is linear in the velocity near rest. The
+/// wake of other twines enters only through r.
 struct NettingTwine {
   static constexpr auto kind = NETLOFT_TWINE_LAW;
   struct Parameters {

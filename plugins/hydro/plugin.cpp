@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kShielding =
     "velocity of the water at this place divided by that ahead of the gear; 1 in undisturbed water";
 
-/// Adds the parameter for the source of a cylinder's drag coefficient as a function of the Reynolds number.
+/// Adds the parameter `cylinder`, which chooses the formula for the drag coefficient of a cylinder.
 template <class Table>
 void add_cylinder(Table& law, auto member) {
   law.choice("cylinder", member,
@@ -31,7 +31,7 @@ auto& add_screen(netloft::Plugin& plugin, const char* name, const char* doc) {
   return law;
 }
 
-/// Adds a screen whose published coefficients do not depend on a Reynolds number.
+/// Adds a law of screens whose published coefficients do not depend on the Reynolds number.
 template <class L>
 auto& add_screen_at_one_reynolds_number(netloft::Plugin& plugin, const char* name, const char* doc) {
   using P = typename L::Parameters;

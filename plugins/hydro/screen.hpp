@@ -36,8 +36,8 @@ struct ScreenCoefficients {
   T drag, lift;  // coefficients C_D and λ
 };
 
-/// Løland's C_D of a screen of the solidity S at normal incidence. The wake (14) of a screen depends on it,
-/// too.
+/// Løland's C_D of a screen of the solidity S at normal incidence. It also determines the wake of a screen,
+/// (14).
 template <class T>
 T loland_drag(const T& S) {
   return S * (0.33 + S * (6.54 - 4.88 * S));
@@ -47,7 +47,8 @@ inline constexpr double kGrazing = 0.05;
 
 /// cos θ, smoothed at grazing incidence (θ near 90°): c² (2ε − c)/ε² for c < ε = kGrazing.             (7)
 ///
-/// It is exact at 90° and below 87°. Between these angles, it lowers C_D by at most 0.0075 of its range.
+/// The smoothed value is exact at 90° and below 87°. Between these angles, C_D is lower by at most 0.0075 of
+/// its range.
 template <class T>
 T rounded(const T& c) {
   return c < T(kGrazing) ? c * c * (2 * kGrazing - c) / (kGrazing * kGrazing) : c;
@@ -131,14 +132,15 @@ struct KnottedParameters : ScreenParameters {
 /// Knotted trawl netting, from the abstract of an article in Nippon Suisan Gakkaishi (Bull. Japan. Soc. Sci.
 /// Fish.) 45(10), 1979; the article itself was not available:
 ///   C_D = S [C_90 sin^⅖ a + cos a (C_F + K sin a)],  C_L = S C_90 sin^(3/2) a cos a        (16)
-/// S is the solidity and a the angle of attack: a = 90° − θ, sin a = c of (1). C_90 is the pressure drag at
-/// normal incidence; C_F and K are friction, along the flow. All are on the area of the twines. The drag at
-/// small angles is far higher than that of laws proportional to the sine. The abstract gives no coefficients.
-/// C_90 is therefore that of a cylinder at Re = 1000, 1.23, plus 10 % for the knots, which the abstract
-/// mentions; C_F is 0.3 C_90 after Niño et al. 2020 (nylon nets along the flow, 0.2 to 0.4); K is zero. Users
-/// should vary C_F and K to see their effect. Deviations from the abstract: sin^⅖, sin^½ = sin^(3/2)/sin and
-/// K sin a have no derivative at grazing incidence, and cos a has none at normal incidence; within 3° of
-/// these angles, smooth functions replace them, by (7) and (17). S is limited to 0.5.
+/// S is the solidity and a the angle of attack: a = 90° − θ, sin a = c of (1). C_90 is the coefficient of
+/// pressure drag at normal incidence; C_F and K are coefficients of friction along the flow. All three refer
+/// to the area of the twines. The drag at small angles is far higher than that of laws proportional to the
+/// sine. The abstract gives no coefficients. C_90 is therefore that of a cylinder at Re = 1000, 1.23, plus 10
+/// % for the knots, which the abstract mentions; C_F is 0.3 C_90 after Niño et al. 2020 (nylon nets along the
+/// flow, 0.2 to 0.4); K is zero. Users should vary C_F and K to see their effect. Deviations from the
+/// abstract: sin^⅖, sin^½ = sin^(3/2)/sin and K sin a have no derivative at grazing incidence, and cos a has
+/// none at normal incidence; within 3° of these angles, smooth functions replace them, by (7) and (17). S is
+/// limited to 0.5.
 struct KnottedModel {
   using Parameters = KnottedParameters;
   /// c^p for c ≥ ε = kGrazing. Below ε it is a cubic in c with the same value and slope at ε.     (17)
@@ -182,8 +184,8 @@ T reynolds_factor(const ScreenParameters& p, const T& Re) {
   return cylinder_phi(p.cylinder, at) / at / (cylinder_phi(p.cylinder, p.measured_at) / p.measured_at);
 }
 
-/// The factor r of (1): the given shielding, times Løland's 1 − 0.46 C_D(S, θ = 0) if netting of the same
-/// solidity is upstream, as for the rear of a cage or the lower panel of a trawl.                (14)
+/// The factor r of (1): the parameter `shielding`, times Løland's 1 − 0.46 C_D(S, θ = 0) if netting of the
+/// same solidity is upstream, as for the rear of a cage or the lower panel of a trawl.          (14)
 template <class T>
 T flow_left(const ScreenParameters& p, const T& S) {
   if (p.wake == static_cast<std::int64_t>(Wake::none)) return T(p.shielding);

@@ -68,7 +68,8 @@ void fill_mixed(const Meshes& m, const Function& f, double cu, std::uint32_t cou
   }
 }
 
-/// Adds weight · y yᵀ to the second derivatives, where the vector y of six numbers consists of U and V.
+/// Adds `weight` · y yᵀ to the second derivatives; the six components of y are those of `U`, then those of
+/// `V`.
 void add_square(double weight, const Vec3<double>& U, const Vec3<double>& V, std::size_t i, Curvature& k) {
   for (int r = 0, n = 0; r < 3; ++r) {
     for (int s = 0; s <= r; ++s, ++n) {

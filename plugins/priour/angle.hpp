@@ -5,8 +5,8 @@
 namespace netloft::priour {
 
 /// An energy E(c) [J] that depends only on the angle 2α between the twines of a mesh, through its cosine c.
-/// Such an energy needs no normal of the netting, and if E is smooth in c, it is also smooth for closed
-/// meshes. U and V [m] are the vectors of one bar in each twine direction, a_p and b_p [1] their derivatives
+/// E does not depend on a normal of the netting, and if E is smooth in c, it is smooth for closed meshes,
+/// too. U and V [m] are the vectors of one bar in each twine direction, a_p and b_p [1] their derivatives
 /// with respect to the position x_p of corner p (triangle.hpp (1)–(3)), Û and V̂ unit vectors; E′ and E″ are
 /// derivatives with respect to c.
 ///   c = Û·V̂ = cos 2α,  s = |Û×V̂| = sin 2α                                                      (1)

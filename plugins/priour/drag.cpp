@@ -176,8 +176,7 @@ void add_tangent(const Force& F, netloft_tile& t) {
 }
 
 /// Adds the tangent in slowed water minus the tangent in undisturbed water. The difference is computed first,
-/// because adding one and subtracting the other would leave rounding errors as large as those of the
-/// tangents.
+/// because rounding errors would be larger if the two tangents were added and subtracted one by one.
 void add_change_of_tangent(const Force& in_slowed, const Slowing& slowed, const Force& in_all,
                            netloft_tile& t) {
   double with[kLanes] = {}, without[kLanes] = {};

@@ -7,8 +7,8 @@ namespace netloft::priour {
 
 namespace {
 
-/// The determinant |d| of triangle.hpp (1), twice the bars of one direction, for the triangle of the common
-/// edge and corner k.
+/// The determinant |d| of triangle.hpp (1), twice the number of bars of one direction, for the triangle
+/// between the common edge and corner `k`.
 double bars_beside(const Bending::Data& d, std::size_t k) {
   return std::abs(Triangle::determinant(d.u, d.v, k));
 }

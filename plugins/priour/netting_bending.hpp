@@ -18,12 +18,12 @@ namespace netloft::priour {
 /// Therefore, below w₀ = kFolded (φ above 176.4°), L is the Taylor polynomial ln w₀ + z − z²/2 with z = w/w₀
 /// − 1 (5).
 ///
-/// b [m] is the unstretched edge; h₁, h₂ [m] are the unstretched altitudes over it, which correspond to the
-/// two bars in the bending of a rope. k [N m] is the bending stiffness per metre of edge: the sum over both
-/// directions of twines of EI × twines per metre × cos² of the angle between twine and normal of the edge. EI
-/// [N m²] belongs to one twine. A diamond mesh has no unstretched shape; lengths are therefore those of
-/// meshes of half angle β, 45° by default. The edge has the twine coordinates (Δu, Δv) [bars]; triangle i has
-/// the bar length l₀ [m] and the determinant d_i of triangle.hpp (1):
+/// b [m] is the unstretched length of the edge; h₁, h₂ [m] are the unstretched heights of the triangles over
+/// the edge, which correspond to the two bars in the bending of a rope. k [N m] is the bending stiffness per
+/// metre of edge: the sum over both directions of twines of EI × twines per metre × cos² of the angle between
+/// twine and normal of the edge. EI [N m²] belongs to one twine. A diamond mesh has no unstretched shape;
+/// lengths are therefore those of meshes of half angle β, 45° by default. The edge has the twine coordinates
+/// (Δu, Δv) [bars]; triangle i has the bar length l₀ [m] and the determinant d_i of triangle.hpp (1):
 ///   b_i = l₀ √(Δu² + Δv² + 2 Δu Δv cos 2β),  M_i = |d_i| l₀² sin 2β,  h_i = M_i/b_i                  (6)
 ///   k b = EI (|Δu|³ + |Δv|³) sin² 2β (l₀/b)²                                                         (7)
 /// For an edge along v in meshes at 45°, (7) is EI times the number of u twines that cross the edge.

@@ -42,7 +42,7 @@ void damp(const Triangle::Lanes& p, const double (&c)[3][kLanes], const DamperOf
   }
 }
 
-/// Accelerations of all nodes (or of the water there), and the density of the mass that is accelerated.
+/// Accelerations of all nodes, or of the water at the nodes, and the density of the accelerated mass.
 struct Accelerated {
   const double* a;
   double sign, ca;        // factor of the residual; of its derivative with respect to a
@@ -75,8 +75,8 @@ struct OfCorner {
   Vec3<double> at_lane(std::size_t i) const { return {y[0][i], y[1][i], y[2][i]}; }
 };
 
-/// Adds the derivatives of row r of corner m: (4) of netting_motion.hpp and, for derivatives by position,
-/// (5).
+/// Adds the derivatives of row r of corner m: (4) of netting_motion.hpp for accelerations, and (5) for
+/// positions.
 void add_slopes(const Twines& w, const Inert& of, const OfCorner& a, const double (&c)[3][kLanes],
                 const Accelerated& by, int m, int r, netloft_tile& t) {
   double turned[kLanes];

@@ -5,7 +5,7 @@
 namespace netloft::priour {
 
 /// Resistance of the meshes to opening: a couple H(α−α₀) on each of the two twines of each knot. |d|/2 is the
-/// number of knots in the triangle, 2α the angle between the twines.
+/// number of knots in the triangle, 2α is the angle between the twines.
 ///   E = (|d|/2) H (α−α₀)²,  α = ½ ∠(Û, V̂) ∈ [0, π/2]                                            (1)
 ///   dE/dc = −(|d|/2) H (α−α₀)/s                                                                  (2)
 ///   d²E/dc² = (|d|/2) H [½ − (α−α₀) c/s]/s²              c = cos 2α, s = sin 2α by angle (1)      (3)
@@ -15,8 +15,8 @@ namespace netloft::priour {
 /// at small angles. α₀ [rad] is the half angle of the unloaded mesh. For α₀ = 0 the energy is smooth for
 /// closed meshes, but (2) and (3) are 0/0 there; (4) replaces them for e < kSeries. E has a cusp at α = π/2
 /// and, unless α₀ = 0, at α = 0. Near a cusp, states with s < kCusp are outside the domain; contact of knots
-/// prevents them. Source: the trawl-gear paper, eq. (3); Priour 2001. Other programs use half of (1), or a
-/// couple that is 2 cos α times as large.
+/// prevents them. Source: the trawl-gear paper, eq. (3); Priour 2001. Other programs use half the energy (1),
+/// or the couple times 2 cos α.
 struct Opening {
   static constexpr double kSeries = 0.1, kCusp = 1e-8;
 

@@ -66,7 +66,7 @@ struct Triangle {
   static Shape shape(const Data& d);
   /// Number of bars of each direction in the triangle, N |d|/2.
   static double bars(const Parameters& p, const Data& d) { return double(p.number) * shape(d).bars; }
-  /// The bars along u (0) or v (1), stretched at state s.
+  /// One bar of the direction u (`direction` = 0) or v (1), stretched as at the state `s`.
   static axial::Bar stretch(int direction, const Parameters& p, const Data& d, const State<3>& s);
   /// The bars of both directions, (2) and (3).
   static std::array<Member, 2> members(const Parameters& p, const Data& d, double time);

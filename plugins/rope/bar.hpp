@@ -10,8 +10,8 @@ namespace netloft::rope {
 ///   E = T_c l                      at constant tension, no spring    (1)
 ///   l₀(t) = σ(t) l₀                rope is paid out or hauled in     (2)
 /// T_c [N] is the tension that a winch or a weight over a pulley holds at any length l. σ [1] comes from a
-/// table, linear between its times, and is the same for all bars of a rope; length, weight, drag and mass are
-/// proportional to σ, but sag.hpp uses the constant l₀. If the weight in water w [N/m] is given, the weight
+/// table, linear between its times, and is the same for all bars of a rope. Length, weight, drag and mass are
+/// proportional to σ; only sag.hpp uses the constant l₀. If the weight in water w [N/m] is given, the weight
 /// is computed with the density
 ///   ρ = ρ_w + w/(g A),  A = (π/4) D²                                (3)
 /// (ρ_w density of the water, D diameter), and the density of the rope is used for inertia only.
@@ -37,11 +37,11 @@ struct Bar {
 
   /// The factor σ of (2) on the length of the rope.
   static double factor_at(const netloft_table& table, double time);
-  /// The relative rate at which the rope becomes longer, (dσ/dt)/σ [1/s]. If the time is that of a row of the
-  /// table, the rate is that before the row.
+  /// The relative rate at which the rope becomes longer, (dσ/dt)/σ [1/s]. At the time of a row of the table,
+  /// it is the rate before that row.
   static double growth_at(const netloft_table& table, double time);
-  /// Returns the numbers of the bars at the time of the tile: `lanes` itself if no rope changes its length,
-  /// otherwise `room`, which is filled with the lengths (2).
+  /// Returns the data of the bars at the time of the tile: `lanes` itself if no rope changes its length,
+  /// otherwise `room`, filled with the lengths (2).
   static const Lanes& now(const Lanes& lanes, const netloft_tile& t, Lanes& room);
   /// The density that gives the weight of a rope [kg/m3]: (3), or `density` if no weight in water is given.
   static double density_by_weight(double weight_in_water, double density, double diameter,
@@ -75,8 +75,8 @@ struct Bar {
   };
 
   struct Weight {
-    /// Returns the numbers of the bars with the densities (3): `at_time` itself if no rope has a given weight
-    /// in water, otherwise `room`.
+    /// Returns the data of the bars with the densities (3): `at_time` itself if no rope has a given weight in
+    /// water, otherwise `room`.
     static const Lanes& weighed(const Lanes& at_time, const netloft_tile& t, Lanes& room);
     static Status tile(const Family<Bar>& f, netloft_tile& t) {
       Lanes room;

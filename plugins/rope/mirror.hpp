@@ -6,8 +6,8 @@
 
 namespace netloft::rope {
 
-/// Bending of a rope at a plane of symmetry: half the bending energy between a bar and its mirror image, the
-/// half that belongs to the modelled side.
+/// Bending of a rope at a plane of symmetry: half of the bending energy between a bar and its mirror image.
+/// The other half belongs to the side that is not modelled.
 ///   w = x₁ − x₀,  x₀ on the plane,  q = ± w·e/‖w‖ = cos(φ/2),  φ the turning angle at x₀       (1)
 ///   E = −(2 EI/L) ln q              half of (1) of rope_bending.hpp with L₁ = L₂ = L            (2)
 ///   E = (2 EI/L) (1 − q)            half of (3) there, the circle through three nodes           (3)

@@ -18,8 +18,8 @@ namespace netloft::rope {
 /// large φ, (4) is weaker, by cos(φ/2) for equal bars. As functions of c, neither energy is singular in a
 /// straight rope. A rope folded back on itself (φ → π) and a bar of zero length have no curvature; they are
 /// outside the domain. Bars of different ropes at a joint do not bend each other. Source: (1) the trawl-gear
-/// paper, eq. (1); (4) the moment of FEMNET (D. Priour), but with unstretched lengths, which make it the
-/// derivative of an energy.
+/// paper, eq. (1); (4) the moment of FEMNET (D. Priour), but with unstretched lengths, so that the moment is
+/// the derivative of an energy.
 struct Bending {
   static constexpr auto stencil = NETLOFT_BAR_PAIR;
   enum Curvature : std::int64_t { of_bars, of_nodes };

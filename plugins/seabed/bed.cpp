@@ -23,8 +23,8 @@ Bed bed_under(const netloft_tile& t, std::size_t lane) {
   return {true, t.x[at(0, lane)], t.x[at(1, lane)], b(0), b(1), b(2), b(3), b(4), b(5)};
 }
 
-/// Reads position and velocity of one node as dual numbers. The derivatives of position and velocity are the
-/// factors cu and cv of the tile, so that the derivatives of a residual are its row of the tangent.
+/// Reads position and velocity of one node as dual numbers. Their derivatives are the factors cu and cv of
+/// the tile, so that the derivatives of a residual computed from them are a row of the tangent.
 MovingNodes<Slope, 1> motion_of(const netloft_tile& t, std::size_t lane) {
   MovingNodes<Slope, 1> m;
   for (std::size_t axis = 0; axis < 3; ++axis) {

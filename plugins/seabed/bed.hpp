@@ -9,8 +9,8 @@
 namespace netloft::seabed {
 
 /// Contact and friction between a node and the bed of the scene, of any shape z_b(x, y). L metres of rope or
-/// twine belong to the node; their radius, or that of bobbins or discs that lift a footrope off the bed, is
-/// R.
+/// twine belong to the node; R is the radius of the rope, or of bobbins or discs that lift a footrope off the
+/// bed.
 ///   g = z − z_b(x, y) − R,  ∇g = (−∂z_b/∂x, −∂z_b/∂y, 1)       gap, measured vertically            (1)
 ///   E = k m L f(−g),  r = k L (f ∇m − m f' ∇g)                f of plane.hpp (2), residual r
 ///   K = k L (m (f'' ∇g ∇gᵀ + f' ∇∇z_b) − f' (∇g ∇mᵀ + ∇m ∇gᵀ) + f ∇∇m)                              (2)
@@ -18,8 +18,8 @@ namespace netloft::seabed {
 ///   w = (I − n nᵀ)(v − v_b),  r = q μ N w h(‖w‖)               on a moving bed, h of plane.hpp (9)     (4)
 ///   r = η/(2π f₀) k m L s(−g/ε) (∇g·v) ∇g,  s(y) = y² (3 − 2y), 0 below 0, 1 beyond 1            (5)
 /// m and q are local factors on stiffness and friction at (x, y), 1 by default; v and v_b are the velocities
-/// of the node and of the ground; k, κ, ε and μ are those of plane.hpp. (5) is the energy loss of the bed in
-/// compression, with the loss factor η at the frequency f₀, as for Kelvin and Voigt's solid, but limited by
+/// of the node and of the ground; k, κ, ε and μ are those of plane.hpp. (5) is the damping of the bed in
+/// compression, with the loss factor η at the frequency f₀, as in Kelvin and Voigt's solid; it is limited by
 /// the force (2), because a bed does not pull. On ground at rest, a node sticks up to the force q μ N and
 /// then slides, by plane.hpp (4) to (7) with n and N of (3) and the shear stiffness m κ.
 struct OnBed {
@@ -43,7 +43,7 @@ struct OnBed {
   }
   static void check(const Parameters&, const Data& d) { Plane::check({}, d); }
 
-  /// The length L of (2) [m]. A node without rope or twine counts as one metre per piece, such as a weight.
+  /// The length L of (2) [m]. A node without rope or twine counts as one metre per piece (such as a weight).
   static double metres_of(const Data& d) { return d.length > 0 ? d.length : d.pieces; }
   static double stiffness_of(const Parameters& p, const Data& d) { return p.stiffness * metres_of(d); }
   /// The gap g of (1), in a scene with a bed.

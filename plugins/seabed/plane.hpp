@@ -13,20 +13,21 @@ namespace netloft::seabed {
 ///   E = k L f,  N = k L f',  r = −N n,  K = k L f'' n nᵀ          contact; f'' is continuous     (3)
 ///   d = (I − n nᵀ)(x − a)                                        displacement from the anchor a      (4)
 ///   r = κ L d                   while κ L |d| ≤ μ N              a spring holds the node         (5)
-///   r = μ N d̂ beyond that the node slides (Coulomb) (6) a ← x where N = 0, a where it sticks, x − (μ N/κ L)
-///   d̂ where it slides (7) A bed that moves with the velocity g under a towed gear drags every node and
-///   leaves no anchor: w = (I − n nᵀ)(v − g) velocity over the bed (8) r = μ N w h(|w|), h(s) = 1/s | (2 −
-///   s/c)/c for s ≥ c | s < c, c = |g|/100 (9) E is the energy, N the normal force, r the residual, K the
-///   tangent. D [m] is the depth of the bed below z = 0 at x = y = 0, s_x, s_y [1] its slopes dz/dx, dz/dy;
-///   k, κ [N/m²] are its stiffness per metre of rope against compression and shear; ε [m] is the depth over
-///   which the bed reaches k; μ [1] is the friction. In an equilibrium v = 0, so that friction is μ N along
-///   the motion of the bed. A node that is slower than c over the bed creeps instead of sticking. The element
-///   remembers the anchor a. The host replaces it by (7) only after an accepted step, so that the anchor is
-///   fixed in the search for an equilibrium; the replacement does not change the force. An element without a
-///   past (memory all zero) has no friction. A node without rope counts as one metre per piece. Source:
-///   penalty contact and radial return, as in Wriggers, Computational Contact Mechanics, Springer 2006,
-///   chapters 5 and 10; the depth of a wire of weight w per metre is ε/2 + w/k if that is more than ε, else
-///   √(2 ε w/k).
+///   r = μ N d̂                   beyond that force                the node slides (Coulomb)       (6)
+///   a ← x where N = 0,  a where the node sticks,  x − (μ N/κ L) d̂ where it slides                (7)
+/// A bed that moves with the velocity g under a towed gear drags every node and leaves no anchor:
+///   w = (I − n nᵀ)(v − g)                                        velocity over the bed           (8)
+///   r = μ N w h(|w|),  h(s) = 1/s | (2 − s/c)/c  for  s ≥ c | s < c,  c = |g|/100                (9)
+/// E is the energy, N the normal force, r the residual, K the tangent. D [m] is the depth of the bed below z
+/// = 0 at x = y = 0, s_x, s_y [1] its slopes dz/dx, dz/dy; k, κ [N/m²] are its stiffness per metre of rope
+/// against compression and shear; ε [m] is the depth over which the bed reaches k; μ [1] is the friction. In
+/// an equilibrium v = 0, so that friction is μ N along the motion of the bed. A node that is slower than c
+/// over the bed creeps instead of sticking. The element remembers the anchor a. The host replaces it by (7)
+/// only after an accepted step, so that the anchor is fixed in the search for an equilibrium; the replacement
+/// does not change the force. An element without a past (memory all zero) has no friction. A node without
+/// rope counts as one metre per piece. Source: penalty contact and radial return, as in Wriggers,
+/// Computational Contact Mechanics, Springer 2006, chapters 5 and 10; the depth of a wire of weight w per
+/// metre is ε/2 + w/k if that is more than ε, else √(2 ε w/k).
 struct Plane {
   static constexpr auto stencil = NETLOFT_NODE;
   static constexpr std::uint32_t kRemembers = 4;  // numbers to remember: a, and whether there was a past step

@@ -53,8 +53,8 @@ EliminationTree make_elimination_tree(const NodeGraph& graph, std::span<const st
   const EarlierNeighbours neighbours(graph, order);
   EliminationTree tree{Indices(order.size(), -1), Indices(order.size(), 1)};
   Indices row(order.size(), -1);  // the last row of L with an entry in each column
-  // Row k of L has entries in all columns on the paths from its neighbours up the part of the tree that
-  // exists already.
+  // Row k of L has entries in all columns on the paths that lead from the neighbours of vertex k upwards in
+  // the tree of the vertices before k.
   for (std::int32_t k = 0; k < graph.size; ++k) {
     row[k] = k;
     for (std::int32_t column : neighbours.of(k))

@@ -13,8 +13,7 @@ namespace netloft {
 struct EliminationTree {
   std::vector<std::int32_t>
       parent;  // the first later vertex to which a vertex is coupled when it is eliminated; -1: none
-  std::vector<std::int32_t> count;  // number of entries in the column of L: the later vertices coupled to the
-                                    // vertex then, and itself
+  std::vector<std::int32_t> count;  // number of entries in the column of L, including the diagonal
 
   /// Operations of a Cholesky factorisation if every vertex had one unknown.
   double flops() const;

@@ -175,7 +175,7 @@ NETLOFT_INLINE void subtract(double a, const double* x, std::ptrdiff_t count, do
 
 /// Computes a column of L below its pivot k, in the rows before n, and subtracts its contribution from the
 /// following columns before `end`. All pivots of a block use the same tiles of rows, so that the processor
-/// never reads a tile with another width than it wrote it. Returns one over the pivot.
+/// reads every tile with the width with which it wrote the tile. Returns one over the pivot.
 template <class Register>
 NETLOFT_INLINE double eliminate_column(double* left, std::ptrdiff_t stride, std::ptrdiff_t begin,
                                        std::ptrdiff_t k, std::ptrdiff_t n, std::ptrdiff_t end) {

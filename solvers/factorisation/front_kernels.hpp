@@ -43,8 +43,9 @@ struct Elimination {
 /// Number of pivots that are eliminated one by one before the columns after them are updated.
 inline constexpr std::ptrdiff_t kPivotBlock = 8;
 
-/// Number of pivots before `end` that update, in one product, as many columns after `end`. It is the largest
-/// power of two that divides `end`: blocks are merged in pairs, then pairs of pairs and so on.
+/// The number n of pivots in one update: the last n pivots before `end` update the next n columns in one
+/// product. n is the largest power of two that divides `end`: blocks are merged in pairs, then pairs of pairs
+/// and so on.
 constexpr std::ptrdiff_t eliminated_together(std::ptrdiff_t end) { return end & -end; }
 
 /// The dense operations on a front, for the instruction set of this processor. A₁₁ is the square of the n
@@ -54,7 +55,7 @@ constexpr std::ptrdiff_t eliminated_together(std::ptrdiff_t end) { return end & 
 ///   C ← C − L₂₁ U₁₂                                                       (2)
 /// P exchanges rows of A₁₁ only: the largest entry of a column becomes its pivot if the diagonal entry is
 /// less than a tenth of the norm of the entries below (threshold pivoting; Duff, Erisman, Reid 1986), unless
-/// another rule is set.
+/// PivotRule::positive is set.
 struct FrontKernels {
   /// Computes (1). `exchanged[k]` becomes the row with which row k was exchanged.
   Elimination (*eliminate)(const FrontPanels& front, const PivotRule& rule, std::int32_t* exchanged);

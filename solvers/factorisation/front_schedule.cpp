@@ -10,8 +10,8 @@ namespace netloft {
 namespace {
 
 // Number of branches (subtrees) per thread, on average. In nested dissections of nets, each level of the tree
-// has 0.7 times the work of the level above; smaller branches would leave more work to the trunk, which
-// consists of the fronts in no branch.
+// has 0.7 times the work of the level above; with smaller branches, more work would remain for the trunk (the
+// fronts outside all branches).
 constexpr double kBranchesPerThread = 2;
 
 class Scheduler {
@@ -80,7 +80,7 @@ class Scheduler {
   }
 
   /// Places the updates of `fronts` on two new stacks, after all existing updates. Updates of children that
-  /// belong to a branch stay on their own stacks.
+  /// belong to a branch stay on the stacks of that branch.
   void stack(const std::vector<std::size_t>& fronts) {
     const std::size_t bottom[2] = {schedule_.room[0], schedule_.room[1]};
     std::size_t top[2] = {bottom[0], bottom[1]};

@@ -36,8 +36,9 @@ struct FrontEntries {
   std::int32_t size = 1;              // number of rows and of columns
 };
 
-/// The elimination of a matrix of symmetric pattern front by front (Duff and Reid 1983). Every front sums its
-/// entries of the matrix and the updates of its children, eliminates its pivots, and passes the update
+/// The elimination, front by front, of a matrix with a symmetric pattern (Duff and Reid 1983). Every front
+/// sums its entries of the matrix and the updates of its children, eliminates its pivots, and passes the
+/// update
 ///   C = Σ C_child − L₂₁ U₁₂                                               (1)
 /// to its parent; L₂₁ and U₁₂ are the parts of its factors outside the pivots (front_kernels.hpp). Children
 /// come before parents, and the fronts of each subtree are numbered consecutively.

@@ -10,9 +10,9 @@
 namespace netloft {
 namespace {
 
-/// Largest fraction of its entry on the diagonal at which a pivot counts as zero. A pivot is that entry minus
-/// squares: rounding leaves fractions of up to 1e-14 in singular matrices; the smallest pivot of the gear
-/// library is above 1e-10.
+/// A pivot counts as zero if it is at most this fraction of its diagonal entry in the matrix. A pivot is that
+/// entry minus squares: in singular matrices, rounding leaves fractions of up to 1e-14; the smallest fraction
+/// in the gear library is above 1e-10.
 constexpr double kRoundingOfPivot = 1e-12;
 
 }  // namespace
@@ -98,8 +98,8 @@ Elimination Fronts::eliminate(std::size_t front, Workers* workers) {
   return e;
 }
 
-/// Keeps the entries of the matrix on the diagonal of a front, which the panels hold before the updates of
-/// the children are added.
+/// Stores the diagonal entries that the matrix has in a front. The panels contain them only until the updates
+/// of the children are added.
 void Fronts::keep_diagonal(std::size_t front) {
   const Front& f = tree_->fronts[front];
   const FrontPanels panels = panels_of(front);
@@ -107,8 +107,8 @@ void Fronts::keep_diagonal(std::size_t front) {
     by_place_[f.first + k] = panels.left[k * (left_stride(f.pivots, f.others) + 1)];
 }
 
-/// Finds the first pivot of a front of which rounding has left nothing: a fraction of at most
-/// kRoundingOfPivot of its entry on the diagonal of the matrix.
+/// Finds the first pivot of a front that is mere rounding: at most kRoundingOfPivot times its diagonal entry
+/// in the matrix.
 Elimination Fronts::first_cancelled(std::size_t front) {
   const Front& f = tree_->fronts[front];
   const FrontPanels panels = panels_of(front);

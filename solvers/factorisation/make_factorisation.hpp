@@ -6,10 +6,10 @@
 
 namespace netloft {
 
-/// Makes the factorisation for a class of matrices: our own multifrontal factorisation for positive definite
-/// and for unsymmetric matrices, with MUMPS as the fallback for unsymmetric ones, and MUMPS for all others.
-/// Without MUMPS, there is no fallback, and the multifrontal factorisation takes all matrices. Fits
-/// `MakeFactorisation`.
+/// Makes the factorisation for a class of matrices. Positive definite matrices get our multifrontal
+/// factorisation; unsymmetric matrices get it with MUMPS as the fallback; all other matrices get MUMPS. In a
+/// build without MUMPS, all matrices get the multifrontal factorisation, without a fallback. The function has
+/// the type `MakeFactorisation`.
 std::unique_ptr<Factorisation> make_factorisation(MatrixClass kind);
 
 /// Returns a function like make_factorisation that uses `threads` threads for large matrices. The factors

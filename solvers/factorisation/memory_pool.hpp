@@ -9,8 +9,8 @@ namespace netloft {
 /// factorisation of one pattern calls no malloc.
 ///
 /// Every block is a plain malloc block whose size the C library reports. Therefore free() may free a block of
-/// the pool, and the pool may take back a block from malloc. The free blocks are never more than twice the
-/// greatest memory that was in use at one time. The pool has no lock: only one thread may use it.
+/// the pool, and the pool may take back a block from malloc. The free blocks together are never larger than
+/// twice the largest memory that was in use at one time. The pool has no lock: only one thread may use it.
 class MemoryPool {
  public:
   MemoryPool() = default;

@@ -11,8 +11,8 @@ namespace {
 
 using Indices = std::vector<std::int32_t>;
 
-/// Consecutive supernodes that are merged to one of n columns. The first column has `rows` entries, some of
-/// which may be zeros.
+/// Consecutive supernodes that are merged into one with `columns` columns. Its first column has `rows`
+/// entries; `zeros` of all entries are zeros.
 struct Merged {
   std::int32_t first = 0;
   double columns = 0, rows = 0, zeros = 0;
@@ -28,11 +28,10 @@ Merged merged(const Merged& child, const Merged& parent) {
   return both;
 }
 
-/// Neighbouring supernodes are merged into one of n vertices in four cases: n ≤ 2; n ≤ 6 with at most a
-/// fraction of 0.8 of zeros among its entries; n ≤ 16 with at most 0.1; any n with at most 0.05. Seven sets
-/// of limits were compared, from no merging to (6, 16, 32; 0.8, 0.2, 0.08), on tangents of 500 to 10⁵
-/// unknowns. No other set is better by more than 4 %, and the one with the largest supernodes takes 1.5 times
-/// as long for 500 unknowns.
+/// Two neighbouring supernodes are merged into one of n vertices if n ≤ 2, or if the fraction of zeros among
+/// its entries is at most 0.8 (n ≤ 6), 0.1 (n ≤ 16) or 0.05 (any n). Seven sets of limits were compared, from
+/// no merging to (6, 16, 32; 0.8, 0.2, 0.08), on tangents of 500 to 10⁵ unknowns. No other set is better by
+/// more than 4 %, and the one with the largest supernodes takes 1.5 times as long for 500 unknowns.
 bool is_worth_merging(const Merged& both) {
   constexpr double kVertices[] = {2, 6, 16};
   constexpr double kZeros[] = {0.8, 0.1, 0.05};

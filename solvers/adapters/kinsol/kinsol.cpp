@@ -136,8 +136,8 @@ Outcome outcome_of(int status, const Host& host) {
   }
 }
 
-/// Reports the last point to the host. compute_tangent has not reported it if KINSOL regards it as converged
-/// and therefore requests no tangent there.
+/// Reports the last point to the host. If KINSOL regards this point as converged, it requests no tangent
+/// there, so that compute_tangent has not reported the point.
 Outcome report_end(Host& host, Outcome outcome) {
   const auto u = host.problem.u();
   if (host.problem.evaluate(u, host.energy, host.residual) != Evaluation::ok) return Outcome::left_domain;

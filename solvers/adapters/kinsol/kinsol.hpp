@@ -10,7 +10,7 @@ namespace netloft::kinsol {
 ///   (K(u) + μ M) s = −r(u)                                                              (1)
 ///   u ← u + λ s                                                                         (2)
 /// Strategy "none": λ = 1. "linesearch": λ, within what `longest_step` allows, meets Goldstein's conditions
-///   ½‖r(u + λ s)‖² ≤ ½‖r(u)‖² + 1e-4 λ r·Ks,   and ≥ this bound with 0.9 for 1e-4         (3)
+///   ½‖r(u + λ s)‖² ≤ ½‖r(u)‖² + 1e-4 λ r·Ks,   and ≥ it with 0.9 in place of 1e-4         (3)
 /// If μ = 0 and K is singular, as for a straight slack rope, the solver fails at the first step.
 struct Kinsol {
   struct Parameters {

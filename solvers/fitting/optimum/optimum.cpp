@@ -15,12 +15,11 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 using Index = Eigen::Index;
 
-// Radius of the trust region, as a fraction of the range of a parameter: at the start, the largest, and the
-// least, at which the search ends. The values are chosen.
+// First, largest and least radius of the trust region, as fractions of the range of a parameter. The search
+// ends at the least radius. The values are chosen.
 constexpr double kFirstRadius = 0.2, kLargestRadius = 0.5, kLeastRadius = 1e-6;
 // The ratio of actual to predicted decrease: a step is accepted from kAccepted on, the radius Δ shrinks below
-// kPoor and grows above kGood (Nocedal and Wright, algorithm 4.1, whose first number may be anything from 0
-// to 1/4).
+// kPoor and grows above kGood (Nocedal and Wright, algorithm 4.1, which allows any kAccepted from 0 to 1/4).
 constexpr double kAccepted = 1e-3, kPoor = 0.25, kGood = 0.75;
 // Noise of the scaled f_0: equilibria have a relative tolerance of 1e-10, and figures lose a digit to
 // rounding.
@@ -139,7 +138,7 @@ class Search {
     return true;
   }
 
-  /// The sizes by which f is scaled.
+  /// Computes the sizes by which f is scaled.
   void find_sizes(const std::vector<double>& f) {
     size_ = f[0] != 0 ? std::abs(f[0]) : 1;
     for (Index j = 0; j < row_size_.size(); ++j) {
@@ -294,8 +293,8 @@ class Search {
     return true;
   }
 
-  /// Handles a rejected step. If it failed because constraints are curved, a step that corrects the violation
-  /// at its end is tried (second-order correction). Otherwise Δ shrinks.
+  /// Handles a rejected step. If the step failed because constraints are curved, a step that also corrects
+  /// the violation at the end of the failed step is tried (second-order correction). Otherwise Δ shrinks.
   bool reject(const Local& next, const Vector& led, double length) {
     const bool is_curved = next.point.violation > violation(led) + options_.feasibility;
     if (!is_curved || !shift_.isZero(0)) return shorten(0.3 * length);
@@ -326,8 +325,8 @@ class Search {
     return is_feasible(a) ? a.value < b.value : a.point.violation < b.point.violation;
   }
 
-  /// Updates B by the slopes at the next point (damped BFGS, Nocedal and Wright, procedure 18.2) and μ by its
-  /// multipliers.
+  /// Updates B by the slopes at the next point (damped BFGS, Nocedal and Wright, procedure 18.2), and μ by
+  /// the multipliers of the step.
   void learn(const Local& next, const Vector& multipliers) {
     penalty_ = std::max(penalty_, 2 * multipliers.cwiseAbs().sum());
     const Vector s = next.z - at_.z;

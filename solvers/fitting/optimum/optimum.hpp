@@ -44,16 +44,16 @@ struct OptimumPoint {
 /// Karush 1939; H. W. Kuhn, A. W. Tucker 1951). λ_j is zero if f_j is between its limits, and has the sign of
 /// a limit otherwise. The remainder is
 ///   max |r_i| over all r_i of the wrong sign                                                        (3)
-/// which is the relative change of f_0 that the slopes still promise over the range of a parameter. λ
-/// minimise the sum of their squares. λ_j and r_i are the prices of limits: the change of the least f_0 when
-/// the limit grows by one.
+/// which is the relative change of f_0 that the slopes still promise over the range of a parameter. λ makes
+/// the sum of the squares of these r_i least. λ_j and r_i are the prices of limits: the change of the least
+/// f_0 when the limit grows by one.
 struct Optimum {
   bool converged = false;
   std::string reason;  // why the search ended, as a sentence
-  // The answer: the last accepted point if the search converged, or if no other point is better by more than
-  // the allowed violation. Otherwise, it is the accepted point with the least f_0 among those that satisfy
-  // all constraints, or the point with the least violation if none does. Its `parameters` are empty if there
-  // is no answer.
+  // The answer: the last accepted point if the search converged, or if this point satisfies all constraints
+  // and its scaled f_0 is above the least one by at most the allowed violation. Otherwise, it is the accepted
+  // point with the least f_0 among those that satisfy all constraints; if none does, the one with the least
+  // violation. `parameters` is empty if there is no answer.
   OptimumPoint best;
   std::vector<double> constraint_prices;  // λ_j, in units of f_0 per unit of f_j; 0: f_j is at no limit
   std::vector<double> parameter_prices;   // r_i, in units of f_0 per unit of θ_i; 0: θ_i is at no limit
@@ -65,10 +65,10 @@ struct Optimum {
 /// Optimization, 2006, ch. 18). A step d of the scaled parameters minimises
 ///   g·d + ½ d·B d + μ t,   low_j − t ≤ f_j + ∇f_j·d ≤ high_j + t,   |d_i| ≤ Δ,   t ≥ 0             (4)
 /// B approximates the Hessian of f_0 − Σ λ_j f_j (damped BFGS), t is the violation that remains. A step is
-/// accepted if f_0 + μ × violation (or f_0 alone, between points that satisfy all constraints) falls by a
-/// certain part of what (4) promises. Δ grows or shrinks according to that part. If the model has no solution
-/// at the new point, the search stays at the old point and reduces Δ. `on_point` is called after every
-/// prediction.
+/// accepted if f_0 + μ × violation (or f_0 alone, between points that satisfy all constraints) falls by at
+/// least a small fraction of what (4) promises. Δ grows or shrinks according to the fraction that was
+/// reached. If the model has no solution at the new point, the search stays at the old point and reduces Δ.
+/// `on_point` is called after every prediction.
 Optimum optimise(Model& model, const OptimumProblem& problem, const OptimumOptions& options = {},
                  const std::function<void(const OptimumPoint&)>& on_point = {});
 

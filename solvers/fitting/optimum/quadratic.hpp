@@ -14,7 +14,7 @@ struct Quadratic {
   Eigen::VectorXd h;
 };
 
-/// The least point of (1), and multipliers y ≥ 0 of its rows: g + Bx + Gᵀy = 0.
+/// The minimiser x of (1), and the multipliers y ≥ 0 of the rows of G: g + Bx + Gᵀy = 0.
 struct QuadraticAnswer {
   Eigen::VectorXd x, y;
 };

@@ -21,7 +21,8 @@ namespace netloft::newmark {
 /// It is stable for any h if χ ≤ 0, and of first order if χ < 0, of second order if χ = 0.
 ///
 /// The error of one step follows from the Taylor series of (2) and (3); the error of (3) acts during the
-/// whole motion: h² (|β − 1/6| + |γ − 1/2|) (q̈ₙ₊₁ − q̈ₙ) (7)
+/// whole motion:
+///   h² (|β − 1/6| + |γ − 1/2|) (q̈ₙ₊₁ − q̈ₙ)                                              (7)
 struct Newmark {
   enum Corrector { kSolve, kFixedPoint };
   struct Parameters {

@@ -17,10 +17,10 @@ namespace netloft {
 /// r is the residual at the unknowns u. A is the tangent, or its convex part if the tangent is not positive
 /// definite. M is the linear stiffness, in which slack twines count as taut: without a small μ M, steps
 /// overstretch slack twines. η is the option `slope`, κ is `contraction`. (2) is the line search of Matthies
-/// and Strang (Int. J. Numer. Meth. Eng. 14, 1979). It needs no energy, which inertia and drag do not have.
-/// A line search in ‖r‖ is not suitable, because ‖r‖ grows when slack twines become taut. −G(0) is the square
-/// of Newton's decrement, a length that no stiff twine dominates. The method begins with the factor that the
-/// host holds from the previous problem.
+/// and Strang (Int. J. Numer. Meth. Eng. 14, 1979). It does not evaluate an energy, because inertia and drag
+/// have no potential. A line search in ‖r‖ is not suitable, because ‖r‖ grows when slack twines become taut.
+/// −G(0) is the square of Newton's decrement, a length that no stiff twine dominates. The method begins with
+/// the factor that the host holds from the previous problem.
 struct Chord {
   struct Parameters {
     double damping = 0, contraction = 0, slope = 0, shortest_step = 0;
@@ -68,8 +68,8 @@ class Chords {
     return find_slope() && decrement_ <= p_.contraction * p_.contraction * before;
   }
 
-  /// Factorises with increasing damping until s leads downhill. This is checked, because a successful
-  /// factorisation of an unsymmetric tangent does not ensure it.
+  /// Factorises with increasing damping until s leads downhill. The slope is checked, because the
+  /// factorisation of an unsymmetric tangent succeeds even if s leads uphill.
   bool renew_factor() {
     do {
       const Factor factor = factorise_at_u(problem_, mu_);

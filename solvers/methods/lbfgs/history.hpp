@@ -19,7 +19,8 @@ class Memory {
   bool add(std::span<const double> s, std::span<const double> y, std::span<const double> By);
 
   /// Writes H r to p, given B r. The two loops over the pairs are those of Nocedal and Wright, alg. 7.4; B q
-  /// is computed as B r − Σ α_i B y_i, so that a step applies B only once, γ included. `q` is scratch.
+  /// is computed as B r − Σ α_i B y_i, so that a step, including its γ, applies B only once. `q` is scratch
+  /// memory.
   void multiply(std::span<const double> r, std::span<const double> Br, std::span<double> q,
                 std::span<double> p);
 

@@ -17,8 +17,8 @@ struct Sample {
 ///   φ'(t) ≤ (2 c₁ − 1) φ'(0)   in place of (1) where |φ(t) − φ(0)| ≤ noise              (3)
 /// (1), (2): the strong Wolfe conditions, by bracketing and zoom as in J. Nocedal and S. J. Wright,
 /// "Numerical Optimization", 2nd ed., Springer 2006, alg. 3.5 and 3.6. (3): W. W. Hager and H. Zhang, SIAM J.
-/// Optim. 16 (2005) 170-192, eq. 4.1: near a minimum, changes of φ have no significant digits, but φ' has.
-/// For a parabola, (3) is (1).
+/// Optim. 16 (2005) 170-192, eq. 4.1: near a minimum, changes of φ have no significant digits, but φ' still
+/// has some. For a parabola, (3) and (1) are equivalent.
 struct LineSearch {
   double decrease = 1e-4, curvature = 0.9;  // c₁ < ½, c₁ < c₂ < 1
   double noise = 0;                         // values that differ by less cannot be told apart

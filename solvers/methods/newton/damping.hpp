@@ -9,9 +9,9 @@
 namespace netloft::newton {
 
 /// The range of the damping μ of K + μ M (newton.hpp (2)), and how μ rises and falls. Below `least_damping`,
-/// μ becomes 0. If K is unsymmetric, it is unknown whether it is positive definite. μ then rises from 0 to √ε
-/// first, but can fall as far as ε (the rounding error of a double), because soft parts of a gear need less
-/// damping than stiff parts.
+/// μ becomes 0. If K is unsymmetric, its factorisation does not show whether K is positive definite. In that
+/// case, μ rises from 0 to √ε at once, but may fall to ε (the rounding error of a double), because soft parts
+/// of a gear need less damping than stiff parts.
 struct DampingRange {
   double least, most, factor;
   double end;  // a μ below this becomes 0

@@ -7,8 +7,7 @@ namespace netloft::newton {
 /// A search along a line of negative curvature, where no model predicts the best length of a step. m is the
 /// merit ((3) of newton.hpp), and t = 1 moves the farthest node by one element. A step t is accepted if
 ///   m'(t) < 0 and m(t) ≤ m(0) + noise                                                       (D)
-/// A small first t is halved until it is accepted. Then it is doubled until it is refused or reaches the
-/// limit of one move,
+/// A small first t is halved until it is accepted. Then t is doubled until it is refused or reaches its limit
 ///   1/margin                                                                                (E)
 /// Secants of m' refine the bracket between the last accepted and the first refused t. The search returns the
 /// largest accepted t.

@@ -40,7 +40,7 @@ Direction Directions::find_symmetric(Iterate& iterate, double damping) {
   return find_partly_convex(iterate, damping);
 }
 
-/// Tries K + σ M with a tiny σ. It changes Newton's step only in the few directions of negative curvature,
+/// Tries K + σ M with a tiny σ. σ M changes Newton's step only in the few directions of negative curvature,
 /// along which NegativeCurvature leaves the point; a convex part would change the step in all directions. If
 /// K is far from definite, trying σ costs up to five factorisations. Therefore, after a failure or with μ ≥
 /// kMatters, σ is not tried again until K + μ M has been positive definite.

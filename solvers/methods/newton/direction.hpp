@@ -28,7 +28,7 @@ class Directions {
       : range_(range), nearly_definite_(nearly_definite), s_(problem.size()) {}
 
   /// Returns Newton's own step (θ = μ = 0) if it leads downhill and moves no node by more than the length of
-  /// an element, as close to an equilibrium. Otherwise it returns the step of `find`.
+  /// an element, as is usual near an equilibrium. Otherwise it returns the step of `find`.
   Direction find_first(Iterate& iterate, double damping);
   /// Returns a step with the damping μ or more. It fails if no matrix could be factorised, or no s leads
   /// downhill. The vector s is valid until the next search.

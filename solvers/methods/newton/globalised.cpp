@@ -15,10 +15,10 @@ namespace {
 /// If the line search accepts a t larger than this, the model of the step counts as good, otherwise as bad.
 constexpr double kTrusted = 0.5;
 
-/// Returns the damping μ for the next direction. μ falls if the residual accepted the step, or the merit
-/// accepted it with t > ½. μ is multiplied by 1/(2 t) if the merit accepted a shorter step, and rises if no
-/// step was found. If the slope accepted the step, or if it was along negative curvature alone, μ becomes the
-/// damping of the matrix of that step.
+/// Returns the damping μ for the next direction. μ falls if the step was accepted on the residual, or on the
+/// merit with t > ½. μ is multiplied by 1/(2 t) if a shorter step was accepted on the merit, and rises if no
+/// step was found. If the step was accepted on the slope, or if u moved along negative curvature only, μ
+/// becomes the damping of the matrix of that step.
 double damping_after(const Step& step, const DampingRange& range) {
   if (!step) return range.raised(step.damping);
   if (step.rule == Step::Rule::residual) return range.lowered(step.damping);
@@ -66,7 +66,7 @@ class Globalised {
     const double energy = iterate_.energy();
     if (direction.nearly_definite) step.leaves_saddle = leave_saddle(direction.damping);
     if (!step && is_at_round_off) step = at_round_off_.fall_back(iterate_, direction.damping);
-    // an energy exists, because saddles are left only if all forces have one
+    // The energy is defined, because saddles are left only if all forces have a potential.
     if (step.leaves_saddle) by_merit_.add_gain(energy - iterate_.energy());
     if (step.rule == Step::Rule::energy || step.leaves_saddle) at_round_off_.reset_stall_count();
     return step;

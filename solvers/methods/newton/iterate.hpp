@@ -23,8 +23,8 @@ struct Path {
   std::span<const double> s, a = {};
 };
 
-/// The point u of the iteration, with the residual r, the energy E and the forces d that have no energy. Also
-/// a trial point on a path that begins at u.
+/// The point u of the iteration, with the residual r, the energy E, and the forces d that have no potential
+/// (such as drag); and a trial point on a path that begins at u.
 class Iterate {
  public:
   explicit Iterate(Problem& problem);
@@ -33,7 +33,7 @@ class Iterate {
   std::size_t size() const { return r_.size(); }
   double energy() const { return energy_; }
   std::span<const double> residual() const { return r_; }
-  /// Whether all forces have an energy, so that d = 0.
+  /// Whether all forces have a potential, so that d = 0.
   bool is_conservative() const { return d_.empty(); }
   double slope(const Path& path) const { return dot(r_, path.s); }
   /// The rounding error of the merit along a path [J].
@@ -46,8 +46,8 @@ class Iterate {
   /// Evaluates at u and stores the tangent if `matrix` requests it. Returns false if forces are undefined
   /// there.
   bool evaluate(Matrix matrix = Matrix::exact);
-  /// Computes the forces d = r − g at u that have no energy; g is the gradient of the energy E. The merit
-  /// needs d.
+  /// Computes the forces without a potential at u, which the merit needs: d = r − g, with the gradient g of
+  /// the energy E.
   bool split_residual();
   bool report(const char* note) { return problem_.progress(problem_.u(), energy_, r_, note); }
 

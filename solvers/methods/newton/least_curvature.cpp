@@ -100,7 +100,8 @@ void LeastCurvature::start(Problem& problem) {
   keep_orthogonal(problem);
 }
 
-/// Adds an entry of a and, if there is space, another basis vector with its entry of b ((C2) of the header).
+/// One step of Lanczos for (C2) of the header: adds an entry to the diagonal a and, if there is space, a
+/// vector to the basis and an entry to the off-diagonal b.
 void LeastCurvature::lengthen(Problem& problem) {
   const std::size_t last = length_ - 1;
   problem.solve(image(last), w_);
@@ -108,8 +109,8 @@ void LeastCurvature::lengthen(Problem& problem) {
   if (length_ < kSteps) keep_orthogonal(problem);
 }
 
-/// Makes w orthogonal to the basis and adds it there. This is done twice, because rounding leaves a remainder
-/// after the first time.
+/// Makes w orthogonal to the basis and appends it to the basis. The orthogonalisation is done twice, because
+/// rounding leaves a remainder after the first time.
 void LeastCurvature::keep_orthogonal(Problem& problem) {
   for (int time = 0; time < 2; ++time)
     for (std::size_t i = 0; i < length_; ++i) axpy(-dot(w_, image(i)), basis(i), w_);

@@ -12,9 +12,9 @@ namespace netloft::newton {
 ///   K v = λ M v with the least λ, M the linear stiffness                                 (C1)
 /// It is found with the factor of K + σM, which is positive definite, by at most ten steps of Lanczos for
 ///   (K + σM)⁻¹ M v = θ v, the largest θ; λ = 1/θ − σ                                     (C2)
-/// Vectors are orthogonal in the inner product of M, each to all before it. Rayleigh quotients are upper
-/// bounds of λ; if one is negative, λ is negative. B. N. Parlett, The Symmetric Eigenvalue Problem (1998),
-/// ch. 13 and 15.
+/// Each vector of the basis is made orthogonal, in the inner product of M, to all earlier ones. Rayleigh
+/// quotients are upper bounds of λ; if one is negative, λ is negative. B. N. Parlett, The Symmetric
+/// Eigenvalue Problem (1998), ch. 13 and 15.
 class LeastCurvature {
  public:
   /// Limit of the steps. A search therefore needs memory for at most twenty vectors.

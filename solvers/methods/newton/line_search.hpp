@@ -36,8 +36,9 @@ struct LineSearch {
   ///   m(t) ≤ m(0), and |m'(t)| ≤ η |m'(0)|, or t = 1 and m'(1) < 0, or refinements spent      (L)
   /// η is `flatness`. The search uses secants of m' within a bracket, and parabolas while m is too high
   /// (Nocedal & Wright 2006, ch. 3). There is no condition of sufficient decrease: the usual one, with 1e-4
-  /// of the slope, changed no bit of 537 hard cases. `start` is m at t = 0; `merit(t)` returns a Sample, or
-  /// nullopt if forces are undefined at t, which is then shortened. Returns nullopt if no t is found.
+  /// of the slope, did not change a bit of the results of 537 hard cases. `start` is m at t = 0; `merit(t)`
+  /// returns a Sample, or nullopt if forces are undefined at t, which is then shortened. Returns nullopt if
+  /// no t is found.
   template <class Merit>
   std::optional<Sample> operator()(Merit&& merit, const Sample& start) const {
     std::optional<Sample> best, high;

@@ -30,13 +30,13 @@ class CurvedStep {
 };
 
 /// Steps that the merit m judges: the whole step (5), the line search (4) and the curved path (8) of
-/// newton.hpp. (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3) without its sufficient
+/// newton.hpp. (4) is the strong Wolfe condition (Nocedal and Wright 2006, ch. 3) without sufficient
 /// decrease. (5) is a relaxed test that lets an iterate cross the kinks between slack and taut, as in the
-/// watchdog technique (Chamberlain et al. 1982, Math. Programming Study 16), but without the return to the
-/// point before. The sum of all decreases of m shows whether m is as low as it has ever been: after a step
+/// watchdog technique (Chamberlain et al. 1982, Math. Programming Study 16), but without a return to an
+/// earlier point. The sum of all decreases of m shows whether m is as low as it has ever been: after a step
 /// that raised m, no other step may raise it until the sum has recovered. Otherwise, netting on a bed with
 /// friction would circle its equilibrium. (5) excludes steps longer than an element, because their −r·s is so
-/// large that (5) would allow any rise. (8) is tried if all forces have an energy, K is symmetric and (4)
+/// large that (5) would allow any rise. (8) is tried if all forces have a potential, K is symmetric and (4)
 /// rejects t = 1.
 class MeritSteps {
  public:

@@ -10,7 +10,8 @@
 namespace netloft::newton {
 
 /// Leaves a saddle along the direction of the most negative curvature, (6) of newton.hpp (J. J. Moré and D.
-/// C. Sorensen, Math. Programming 16, 1979), by at most 1/`margin` elements. All forces must have an energy.
+/// C. Sorensen, Math. Programming 16, 1979), by at most 1/`margin` lengths of an element. All forces must
+/// have a potential.
 class NegativeCurvature {
  public:
   /// Reserves memory for the directions. It is not filled before the first search.

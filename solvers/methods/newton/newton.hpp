@@ -9,10 +9,10 @@ namespace netloft::newton {
 /// "classic" is the undamped Newton-Raphson iteration of "Modeling and simulation of bottom trawl gears", eq.
 /// 5 and 6:
 ///   F'(q_i) (q_{i+1} − q_i) = −F(q_i)                                                   (1)
-/// "globalised" assumes that some or all forces have an energy E [J]: r = g + d, with the gradient g of E and
-/// the forces d that have no energy (drag). K is the tangent, the derivative of r; K₊ is a positive
-/// semi-definite part of K, which elements give; M is the linear stiffness, which is constant and bounds K₊:
-/// s·K₊s ≤ s·Ms. μ, σ and θ have no unit.
+/// "globalised" assumes that some or all forces have a potential, the energy E [J]: r = g + d, with the
+/// gradient g of E and the forces d without a potential (drag). K is the tangent, the derivative of r; K₊ is
+/// a positive semi-definite part of K, which elements give; M is the linear stiffness, which is constant and
+/// bounds K₊: s·K₊s ≤ s·Ms. μ, σ and θ have no unit.
 ///   (K + θ (K₊ − K) + μ M) s = −r, with θ in [0, 1] so that the matrix is positive definite (2)
 ///   m(t) = E(u + t s) + ½ t [d(u) + d(u + t s)]·s, m'(t) ≈ r(u + t s)·s                   (3)
 ///   t by (L) of line_search.hpp: m does not rise, and is nearly flat                      (4)

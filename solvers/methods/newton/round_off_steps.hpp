@@ -42,8 +42,8 @@ class RoundOffSteps {
   /// Moves u by the whole step, or by the part of it that (7) finds.
   Step take(Iterate& iterate, const Direction& direction);
   /// If a damped step has not moved u, tries the undamped K, only once at each point. If K is positive
-  /// definite or unsymmetric, its step is tried by take(). If K is nearly definite and all forces have an
-  /// energy, u moves along negative curvature or, if there is none, by (7) along a step of K + σ M.
+  /// definite or unsymmetric, its step is tried by take(). If K is nearly definite and all forces have a
+  /// potential, u moves along negative curvature or, if there is none, by (7) along a step of K + σ M.
   Step fall_back(Iterate& iterate, double damping);
   /// Allows (7) of newton.hpp again after stalled steps. Called when a step judged by the merit has moved u.
   void reset_stall_count() { stall_.reset(); }

@@ -12,14 +12,14 @@ namespace netloft::ptc {
 ///   M (u′ − u)/δ + r(u′) = 0                                                             (1)
 ///   (K(v) + M/δ) s = −M (v − u)/δ − r(v),   v ← v + s,   until |s| ≤ `solved` |v − u|    (2)
 ///   d·r(u′) ≥ 2 d·r(u),   d = u′ − u                                                      (3)
-/// (1) is the implicit Euler method, whose first δ is the relaxation time of the linear stiffness; if forces
-/// have an energy, it is the proximal point algorithm (R. T. Rockafellar, SIAM J. Control Optim. 14 (1976)
-/// 877-898). δ is doubled if half of the `corrections` are enough for (2), and halved if all of them are not
-/// enough or (3) does not hold. Near a stable equilibrium δ therefore grows without bound, and (2) becomes
-/// Newton's method. Sources: C. T. Kelley and D. E. Keyes, SIAM J. Numer. Anal. 35 (1998) 508-523, and E.
-/// Hairer and G. Wanner, Solving Ordinary Differential Equations II (1996), IV.8. By (1), d·r(u′) = −d·M d/δ;
-/// (3) thus means κ δ ≥ −1/2 for the curvature κ = d·(r(u′) − r(u)) / d·M d. Beyond κ δ = −1, the Euler step
-/// ends at the equilibrium that the motion leaves.
+/// (1) is the implicit Euler method, whose first δ is the relaxation time of the linear stiffness; if all
+/// forces have a potential, (1) is the proximal point algorithm (R. T. Rockafellar, SIAM J. Control Optim. 14
+/// (1976) 877-898). δ is doubled if half of the `corrections` are enough for (2), and halved if all of them
+/// are not enough or (3) does not hold. Near a stable equilibrium δ therefore grows without bound, and (2)
+/// becomes Newton's method. Sources: C. T. Kelley and D. E. Keyes, SIAM J. Numer. Anal. 35 (1998) 508-523,
+/// and E. Hairer and G. Wanner, Solving Ordinary Differential Equations II (1996), IV.8. By (1), d·r(u′) =
+/// −d·M d/δ; (3) thus means κ δ ≥ −1/2 for the curvature κ = d·(r(u′) − r(u)) / d·M d. Beyond κ δ = −1, the
+/// Euler step ends at the equilibrium that the motion leaves.
 struct PseudoTransient {
   struct Parameters {
     double solved = 0;

@@ -125,8 +125,8 @@ std::size_t Race::find_saddle(Stage stage) {
   return saddles_.size() - 1;
 }
 
-/// Solves from the sides of a saddle whose search has not ended yet. Returns the first equilibrium that was
-/// not met before, or nothing.
+/// Solves from those sides of a saddle at which the search has not ended yet. Returns the first equilibrium
+/// that was not met before, or nothing.
 std::optional<Stage> Race::leave(std::size_t at, const Budget& budget) {
   const auto ask = [&] {
     return Ask{.name = "moved away from an unstable equilibrium", .work = budget.left()};

@@ -9,10 +9,10 @@ namespace {
 using namespace netloft;
 
 /// Grid sequencing (nested iteration: W. Hackbusch, Multi-Grid Methods and Applications, 1985, section 5).
-/// The strategy `by` brings a coarser mesh of the same gear to equilibrium, possibly with still coarser
-/// meshes; from there, the strategy `then` solves the scene itself. A coarser mesh gets at most half of the
-/// work. If it has not converged by then, the strategy gives up and leaves the other half to its caller.
-/// Without this limit, a coarse mesh could use up the budget before the next finer mesh is tried.
+/// The strategy `by` brings a coarser mesh of the same gear to equilibrium, possibly with the help of still
+/// coarser meshes; from that equilibrium, the strategy `then` solves the scene itself. A coarser mesh gets at
+/// most half of the work. If it has not converged by then, the strategy gives up and leaves the other half to
+/// its caller. Without this limit, a coarse mesh could use up the budget before the next finer mesh is tried.
 struct CoarseToFine {
   struct Parameters {
     const char *by = nullptr, *then = nullptr;

@@ -14,8 +14,8 @@ using namespace netloft;
 /// with the factor f and the largest load F on a node (E. L. Allgower and K. Georg, Introduction to Numerical
 /// Continuation Methods, 2003, ch. 6). If no equilibrium is found with a cap, no further cap is tried; the
 /// scene itself is then solved from the end of that stage. Each cap is solved to the tolerance of the scene:
-/// a small residual force can move slack netting between steel ropes far, and removing it costs the fewest
-/// iterations while the ropes are soft (tests/bench/sensitivity.md).
+/// a small residual force can displace slack netting between steel ropes by a long way; removing the force
+/// costs the fewest iterations while the ropes are soft (tests/bench/sensitivity.md).
 struct StiffnessSteps {
   struct Parameters {
     double factor = 0;

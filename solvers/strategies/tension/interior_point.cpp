@@ -127,8 +127,8 @@ bool InteriorPoint::factorise() {
   return members_.factorise_indefinite() == Factor::ok;
 }
 
-/// Computes the step by (5) of interior_point.hpp, or by (7) if that would be too short, and returns its
-/// length (6).
+/// Computes the step by (5) of interior_point.hpp, or by (7) if (5) gives too short a step, and returns the
+/// length (6) of the step.
 double InteriorPoint::find_step() {
   predict();
   const double reached = at_most_whole(longest_step());

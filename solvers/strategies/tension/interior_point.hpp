@@ -13,10 +13,10 @@ namespace netloft::tension {
 ///   r(u) + Σ n c q = 0,  z = (1 + T/EA, w/l₀) ∈ K,  y = (T, −q) ∈ K                         (1)
 ///   z ∘ y = μ e,  μ → 0                                                                     (2)
 /// At μ = 0, either T = 0 and the member may have any shorter length, or w has the length l₀ (1 + T/EA) and q
-/// = T t. Under dead loads these are the conditions of a convex problem, which has one energy (Y. Kanno, M.
-/// Ohsaki, J. Ito, Int. J. Numer. Methods Eng. 55, 2002). Newton's step for (1) and (2) is scaled by W (W z =
-/// W⁻¹ y, H = W²), and T, q and z₀ are eliminated member by member; h = (H₁₀, H₂₀, H₃₀), H̄ is the other 3 ×
-/// 3 block of H, ḡ the last three numbers of g:
+/// = T t. Under dead loads, (1) and (2) at μ = 0 are the conditions of optimality of a convex problem, all
+/// solutions of which have the same energy (Y. Kanno, M. Ohsaki, J. Ito, Int. J. Numer. Methods Eng. 55,
+/// 2002). Newton's step for (1) and (2) is scaled by W (W z = W⁻¹ y, H = W²), and T, q and z₀ are eliminated
+/// member by member; h = (H₁₀, H₂₀, H₃₀), H̄ is the other 3 × 3 block of H, ḡ the last three numbers of g:
 ///   (∂r/∂u + Σ n c cᵀ/l₀ [H̄ − h hᵀ/(EA + H₀₀)]) s = −(r + Σ n c [q − ḡ + h ζ])               (3)
 ///   ζ = (EA (1 − z₀) + T + g₀)/(EA + H₀₀)                                                   (4)
 ///   g = −y for a trial step, which reaches the boundary of K at the length a₀; then, with the same matrix,
@@ -27,8 +27,8 @@ namespace netloft::tension {
 /// 2003.) w is linear in u, so that steps need not be short because of the geometry of members. A point at
 /// which some member is much nearer to the boundary of K than others allows short steps only; if (5) allows
 /// less than 1 − `to_boundary` of its step, (7) takes its place. Drag does not fit into a convex problem; it
-/// is linearised at every step, like all of r. The method fails if (7) is as short. It has converged if μ and
-/// the residual are less than 2⁻²⁶ of the load, half of the digits of a double; Newton's method finds the
+/// is linearised at every step, like all of r. The method fails if (7) allows no more. It has converged if μ
+/// and the residual are less than 2⁻²⁶ of the load, half of the digits of a double; Newton's method finds the
 /// other digits in one step. The resistance of members to compression is neglected.
 class InteriorPoint {
  public:

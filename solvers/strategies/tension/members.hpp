@@ -41,7 +41,7 @@ class Members {
   bool symmetric() const { return m_.traits & NETLOFT_SYMMETRIC; }
   const Member& operator[](std::size_t e) const { return m_.member[e]; }
   std::uint32_t part(std::size_t e) const { return m_.part[e]; }
-  /// Error of a length from rounding of the coordinates at the start [m].
+  /// Error [m] that the rounding of the start coordinates causes in a length.
   double rounding() const { return 4 * std::numeric_limits<double>::epsilon() * m_.largest_coordinate; }
 
   void find_chords(std::span<const double> u, std::vector<Vector>& w) {

@@ -19,8 +19,8 @@ namespace netloft::tension {
 /// non-linear structural problem discretized via displacement-based finite elements", Comput. Methods Appl.
 /// Mech. Eng. 313 (2017). Deviations from that method:
 /// - a < 1 if a member would turn by more than `farthest_turn`; there is no line search;
-/// - D = μ Σ n c cᵀ EA/l₀ I, the linear stiffness, holds slack members; μ falls after a whole step and
-///   becomes μ/2a after a shorter one;
+/// - D = μ Σ n c cᵀ EA/l₀ I, the linear stiffness, holds slack members; μ falls after a whole step
+///   and becomes μ/(2a) after a shorter one;
 /// - far from an equilibrium T = k ε(u) instead of (3), and μ follows the residual (W. A. Mulder
 ///   and B. van Leer, J. Comput. Phys. 59 (1985) 232-246).
 class MixedNewton {
