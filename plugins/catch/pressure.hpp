@@ -19,10 +19,9 @@ namespace netloft::catches {
 /// counter-clockwise seen from outside, else −1. Source: the trawl-gear paper, p with C_d = 1.4; (3) after
 /// Priour.
 ///
-/// The pressure is a follower force, which has no potential in general. Over a closed surface, or a surface
-/// with a fixed rim, the sum of (3) is the gradient of −p × volume, and the sum of (4) is symmetric. A front
-/// through a cod-end, however, is a moving rim, at which forces derived from the potential −p Σ x₁·(x₂×x₃)/6
-/// would depend on the origin.
+/// The pressure is a follower force without a potential. Over a closed surface, or a surface with a fixed
+/// rim, the sum of (3) is the gradient of −p × volume, and the sum of (4) is symmetric. A front through a
+/// cod-end, however, is a moving rim: the forces of a potential −p Σ x₁·(x₂×x₃)/6 would depend on the origin.
 ///
 /// All triangles of a part share the front m. It is the given number of `meshes`, or an unknown whose
 /// equation is that the catch has the given volume:
@@ -30,13 +29,13 @@ namespace netloft::catches {
 ///   r_m = k (Σ φ v − σ V₀) = 0,  k = p/∛V₀                                                (7)
 ///   ∂r_i/∂m = −φ_i′ (p/2) n,   ∂r_m/∂m = k φ′ v                                           (8)
 ///   ∂r_m/∂x_j = k φ [ n_y/6 e_y − o ½ (ȳ − y₀) e_yᵀ[w_j]× ]                                 (9)
-/// V₀ [m³] is the volume of the catch; σ [1] the fraction of V₀ at a given time, from a table, or 1 without a
-/// table; y the axis across the cod-end, y₀ the middle of the cod-end. By the theorem of Gauss, Σ φ v is the
-/// volume behind the front, closed there by a surface of straight lines from side to side. A cut triangle
-/// contributes φ v, with the v of the whole triangle. The volume is exact for every cod-end that is symmetric
-/// about the plane y = y₀, and for a model of one half, which ends in that plane. If the cod-end is turned by
-/// ψ, the error is the area of the front times sin ψ times the distance of its middle from y₀. The factor k
-/// makes (7) a force; its ratio to the drag on the front is the ratio of the missing volume to V₀.
+/// V₀ [m³] is the volume of the catch; σ [1] the fraction of V₀ at a given time, from a table, or 1; y the
+/// axis across the cod-end, y₀ the middle of the cod-end. By the theorem of Gauss, Σ φ v is the volume behind
+/// the front, closed there by a surface of straight lines from side to side. A cut triangle contributes φ v,
+/// with the v of the whole triangle. The volume is exact for every cod-end that is symmetric about the plane
+/// y = y₀, and for a half of it that ends in this plane. If the cod-end is turned by ψ, the error is the area
+/// of the front times sin ψ times the distance of its middle from y₀. The factor k makes (7) a force; its
+/// ratio to the drag on the front is the ratio of the missing volume to V₀.
 struct Pressure {
   static constexpr auto stencil = NETLOFT_TRIANGLE;
   static constexpr int globals = 1;  // shared unknown: m

@@ -19,8 +19,8 @@ namespace netloft::design {
 
 namespace {
 
-// Limit of iterations for one step to a neighbouring value. Steps of 5 % take up to 10 with the 83-112. If
-// there is no equilibrium, giving up early is cheap, because the question then tries half the step.
+// Limit of iterations for one step to a neighbouring value. In the trawl 83-112, steps of 5 % take up to 10
+// iterations. If there is no equilibrium, a low limit saves time, because half the step is then tried.
 constexpr int kIterationsOfNeighbour = 60;
 
 Outcome::Status status_of(const Solution& solution) {
@@ -179,8 +179,8 @@ void LiveScene::compare(const Equilibrium& next, const std::vector<double>& expe
       Jump{off, went, switched_parts(*last_->scene, last_->solution.x, *next.scene, next.solution.x)};
 }
 
-/// Displacements at which a scene with another mesh has the shape of an equilibrium; empty if both have no
-/// part in common.
+/// Displacements at which a scene with another mesh has the shape of an equilibrium; empty if the two scenes
+/// have no part in common.
 std::vector<double> LiveScene::carried_from(const Equilibrium& from, const runs::PreparedScene& to) const {
   try {
     return to.assembler().displacements(results::positions_from(store_.shape_of(from), to.loaded()));

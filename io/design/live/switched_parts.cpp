@@ -17,7 +17,8 @@ struct SwitchedGroup {
   std::size_t count;
 };
 
-/// Counts, for each part, how many changed from one state to the other and how many back.
+/// Counts, for each part, the members or nodes whose `distance` became negative, and those whose `distance`
+/// became zero or positive.
 void add_switched(const Scene& scene, const studies::Switches::OfKind& before,
                   const studies::Switches::OfKind& after, const std::string& things, const char* to_below,
                   const char* to_above, std::vector<SwitchedGroup>& groups) {

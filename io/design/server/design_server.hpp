@@ -9,8 +9,8 @@
 
 namespace netloft::design {
 
-/// Serves a session to a page in a browser and to other programs (DESIGN.md). Only those who know its address
-/// can use it: see Guard.
+/// Serves a session to a page in a browser and to other programs (DESIGN.md). Only those who know the address
+/// of the server can use it: see Guard.
 class DesignServer {
  public:
   /// Binds to `port` of 127.0.0.1, or to a free port if `port` is 0. Throws std::system_error if the port is

@@ -177,7 +177,7 @@ class TargetSearch {
     return std::clamp(step, -most, most);
   }
 
-  /// Changes the number, by less than `step` if there is no equilibrium that far away.
+  /// Changes the number by `step`, or by less if there is no equilibrium at that distance.
   bool go(double step) {
     for (int halving = 0; halving < kHalvings; ++halving, step /= 2) {
       auto next = scene_.neighbour(*at_, number_, value_ + step, interrupt_, why_not_);

@@ -26,8 +26,8 @@ struct SweepQuestion {
   double from = 0, to = 0;  // in the unit of the number as it is written
   int points = 0;
 };
-/// All figures at evenly spaced values of a number. Beginning at the present value, each equilibrium starts
-/// from that of the neighbouring value. Figures are null at a value without an equilibrium. Throws
+/// All figures at evenly spaced values of a number. From the present value outwards, each search starts from
+/// the equilibrium at the neighbouring value. Figures are null at a value without an equilibrium. Throws
 /// formats::Interrupted.
 Json sweep_json(LiveScene& scene, const SweepQuestion& question, const std::atomic<bool>& interrupt,
                 const OnDone& on_done);

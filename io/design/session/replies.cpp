@@ -16,7 +16,7 @@ namespace {
 
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-/// The unit of a number in the unit of its range: a knot is 0.514 m/s.
+/// The size of the unit of a number in the unit of its range: 0.514 (m/s) for a knot.
 double size_of_unit(const studies::SceneNumber& number, const std::string& of_range) {
   if (number.unit.empty()) return 1;
   const formats::Quantity one = formats::to_si("1 " + number.unit, of_range);

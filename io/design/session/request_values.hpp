@@ -6,11 +6,11 @@
 
 namespace netloft::design {
 
-// These functions return a member of the body of a request. They throw WrongRequest if it is missing or of
-// another kind.
+// These functions return a member of the body of a request. They throw WrongRequest if the member is missing
+// or of another kind.
 std::string text_in(const nlohmann::ordered_json& body, const char* name);
 double number_in(const nlohmann::ordered_json& body, const char* name);
-/// False if it is missing.
+/// Returns false if the member is missing.
 bool flag_in(const nlohmann::ordered_json& body, const char* name);
 
 }  // namespace netloft::design

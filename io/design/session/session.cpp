@@ -99,7 +99,7 @@ Json Session::state(const Json&) {
   return json;
 }
 
-/// Changes the text as a request asks. The caller must hold the lock.
+/// Changes the text as the body of a request demands. The caller must hold the lock.
 Edit Session::edit(const Json& body, std::optional<MovedNumber>& moved) {
   const bool goes_on = flag_in(body, "goes_on");
   if (body.contains("text")) return texts_.replace(text_in(body, "file"), text_in(body, "text"), goes_on);
@@ -157,8 +157,8 @@ Json Session::save(const Json& body) {
   return json;
 }
 
-/// Errors in the syntax of the text in a request, which is fast enough for every key press. If the request
-/// has no text, all messages about the plan of the session, which the worker computes.
+/// If the request has a text: the errors in its syntax, which are found fast enough for every key press.
+/// Otherwise: all messages about the plan of the session, which the worker computes.
 Json Session::check(const Json& body) {
   if (!body.contains("text"))
     return on_worker([this] { return Json{{"messages", messages_json(scene_.check())}}; });
@@ -331,7 +331,7 @@ void Session::follow_text(std::unique_lock<std::mutex>& lock) {
   lock.lock();
 }
 
-/// From this equilibrium on, changes of the text are recorded anew.
+/// Forgets the changes of the text that this equilibrium includes.
 void Session::forget_steps(const Snapshot& text, const Outcome& outcome) {
   if (outcome.status != Outcome::Status::converged) return;
   const std::lock_guard lock(mutex_);

@@ -70,12 +70,12 @@ class Session {
   Json reach(const Json& body);
   Json range(const Json& body);
 
-  /// A change of the text since the last equilibrium: of one number, or of anything.
+  /// A change of the text since the last equilibrium: of one number (`moved`), or any other change.
   struct Step {
     std::uint64_t revision;
     std::optional<MovedNumber> moved;
   };
-  /// A text that is followed.
+  /// A text whose equilibrium is being sought.
   struct Snapshot {
     std::uint64_t revision;
     std::filesystem::path file;

@@ -116,7 +116,7 @@ Edit SceneTexts::set(const formats::Change& change, bool goes_on) {
   return keep(edit, goes_on);
 }
 
-/// The edit that makes the document equal to the wanted one.
+/// The edit of the text that makes the document equal to `wanted`.
 Edit SceneTexts::edited(const formats::Document& before, const formats::Change& change,
                         const formats::Value& wanted) const {
   const std::span<const formats::PathStep> path = change.steps;

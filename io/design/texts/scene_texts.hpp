@@ -28,7 +28,8 @@ struct Edit {
 ///
 /// Own files are the scene and those included files that are below its folder, are writable, and do not
 /// belong to the library. Values of other files are overridden in the scene. A scene of the library is opened
-/// as a variant: a file in the working folder that includes it, and does not exist before save().
+/// as a variant: a file in the working folder that includes the scene of the library, and that does not exist
+/// before save().
 class SceneTexts {
  public:
   /// Throws formats::ReadError if the file cannot be read. `library`: the folder of the library; empty: none.
@@ -57,7 +58,7 @@ class SceneTexts {
   /// if another program has changed one of them since it was read.
   std::vector<std::string> save();
   /// Writes the scene under another name in its folder. The design continues with this file. Throws
-  /// formats::WriteError, and Refused if the name is that of a file that exists, or not a plain name of a
+  /// formats::WriteError, and Refused if a file of this name exists, or if the name is not a plain name of a
   /// .toml file.
   void save_as(const std::string& name);
   /// Reads files again that other programs have changed, and returns their names. Skips files with unsaved

@@ -17,8 +17,8 @@ namespace netloft::formats {
 ///           CRC-32 of the content (u32)
 ///
 /// Each record is written by one write(), so that a kill or a full disk destroys at most the last record. A
-/// reader ignores an incomplete record at the end of the file, and zeros, which a power cut may leave. If a
-/// checksum does not match for any other reason, the file is damaged.
+/// reader ignores an incomplete record at the end of the file, and zeros, which a power cut may leave. If any
+/// other checksum does not match, the file is damaged.
 class Journal {
  public:
   struct Record {

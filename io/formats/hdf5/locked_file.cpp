@@ -67,8 +67,8 @@ Descriptor take_file(const fs::path& path) {
     if (lock == Lock::kWriterAlive) refuse_second_writer(path);
     if (!is_still_named(fd.get(), path)) continue;
     if (lock == Lock::kTaken) return fd;
-    // A viewer may still read the file of a killed writer. The viewer keeps the old file, and this writer
-    // creates a new one.
+    // A viewer may still read the file of a killed writer. The viewer then keeps the old file, without its
+    // name, and this writer creates a new one.
     if (unlink(path.c_str()) != 0 && errno != ENOENT)
       throw FileError("cannot replace " + path.string() + ": " + system_reason());
   }

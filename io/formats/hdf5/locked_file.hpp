@@ -28,15 +28,15 @@ class Descriptor {
 };
 
 /// Opens a file for its only writer, which holds an exclusive flock(); the system releases the lock when the
-/// process ends. Creates the file, or takes over that of a dead writer; throws FileError if the writer is
-/// alive. Symbolic links are not followed, and devices are not opened.
+/// process ends. Creates the file, or takes over the file that a dead writer left; throws FileError if a
+/// writer is alive. Symbolic links are not followed, and devices are not opened.
 Descriptor take_file(const std::filesystem::path& path);
 /// Like take_file(), but for a file that must exist and will be continued.
 Descriptor take_existing_file(const std::filesystem::path& path);
 /// Throws FileError if a process is writing the file now.
 void require_no_writer(const std::filesystem::path& path);
-/// Throws FileError unless a result may be written at `path`: its folder must exist, and a device must not
-/// have this name.
+/// Throws FileError unless a result may be written at `path`: its folder must exist, and `path` must not be a
+/// device.
 void require_usable(const std::filesystem::path& path);
 
 /// Size of a file [bytes]; 0 if the system cannot determine it.

@@ -9,7 +9,7 @@ namespace netloft::formats {
 
 /// An HDF5 file that is written as NAME.hdf.part and gets its final name, NAME.hdf, only when it is complete.
 ///
-///   construct   creates NAME.hdf.part, or replaces that of a dead writer; throws if its writer is alive
+///   construct   creates NAME.hdf.part, or replaces one that a dead writer left; throws if a writer is alive
 ///   finish()    appends checksums (seal.hpp), renames NAME.hdf to NAME.hdf~, and the .part to NAME.hdf;
 ///               an earlier NAME.hdf is never missing
 ///   destroy     without finish(), the .part keeps the state of the last flush()

@@ -37,7 +37,7 @@ class ResultFile {
     begin(mesh, std::move(changing), std::span<const StaticField>(fixed.begin(), fixed.size()), states);
   }
 
-  /// Writes the next state. `points` 3n [m]; `fields` in the order of `changing`.
+  /// Writes the next state. `points` has 3n numbers [m]; `fields` has the order of `changing`.
   void write_state(double time, std::span<const double> points,
                    std::span<const std::span<const double>> fields);
   void write_state(double time, std::span<const double> points,

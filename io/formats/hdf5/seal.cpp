@@ -44,7 +44,7 @@ std::uint32_t checksum_of(int fd, std::uint64_t place, std::uint64_t length, std
   return sum;
 }
 
-/// The checksums of the ranges and of all bytes between them, up to `length`.
+/// The checksums of the ranges, and of all bytes outside the ranges up to `length`.
 SealedFile sum_up(int fd, const std::vector<SealedRange>& ranges, std::uint64_t length) {
   SealedFile file{length, ranges, {}, 0};
   std::uint64_t place = 0;
@@ -97,7 +97,8 @@ std::uint64_t take_number(std::string_view& text, int base) {
   return value;
 }
 
-/// Reads the lines between the title and the last line. Their own checksum must have been compared before.
+/// Reads the lines of the table between the title and the last line. The caller must have compared the
+/// checksum of these lines.
 SealedFile parse(std::string_view lines, std::uint64_t length) {
   SealedFile file;
   file.length = length;

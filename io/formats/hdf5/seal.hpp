@@ -16,9 +16,9 @@ struct SealedRange {
 };
 
 /// A finished result ends with a table in plain text after the HDF5 content (LAYOUT.md): the CRC-32 of the
-/// numbers of every dataset, and of all bytes between them. The table reveals a changed bit, and the dataset
-/// that contains it, before HDF5 reads the file. HDF5 ignores the table, and removes it when another program
-/// writes to the file.
+/// numbers of every dataset, and of all bytes outside the datasets. The table reveals a changed bit, and the
+/// dataset that contains it, before HDF5 reads the file. HDF5 ignores the table, and removes it when another
+/// program writes to the file.
 ///
 /// find_ranges() returns the ranges of all contiguous datasets in the order of the file.
 std::vector<SealedRange> find_ranges(hid_t file);

@@ -14,7 +14,8 @@ namespace netloft::formats {
 namespace {
 
 // HDF5 stores texts in collections. A collection begins with its signature, its version and 3 more bytes; an
-// object in it begins with its index, its reference count and 4 more bytes. The size follows in 8 bytes.
+// object in it begins with its index, its reference count and 4 more bytes. In both, the size follows, in 8
+// bytes.
 constexpr std::string_view kBegin("GCOL\1", 5);
 constexpr std::uint64_t kHeader = 16;
 constexpr std::size_t kHeapBlock = 1 << 20;

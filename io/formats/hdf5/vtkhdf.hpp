@@ -10,7 +10,7 @@
 
 namespace netloft::formats {
 
-/// Numbers in VTK of the cell shapes used for gears.
+/// VTK's numbers for the cell shapes that gears use.
 enum CellType : std::uint8_t { kVertex = 1, kLine = 3, kTriangle = 5 };
 
 /// Cells over nodes 0 … n_points-1; cell c has the nodes connectivity[offsets[c]] …
@@ -45,11 +45,12 @@ struct StaticField {
 
 /// The /VTKHDF group: one unstructured grid whose points and fields change in time (VTKHDF 2.0).
 ///
-/// Each changing array consists of slots of equal length, one per state. If the field of a state equals that
-/// of the state before, it uses the slot of that state. The S other states, i = 0 … S-1 in order of time, are
-/// in
+/// Each changing array consists of slots of equal length. A state whose field equals that of the state before
+/// has no slot: it uses the slot of the state before. The S other states, i = 0 … S-1 in order of time, have
+/// the slots
 ///   slot(i) = i + 1 for i < S-1,   slot(S-1) = 0                          (1)
-/// The newest of them is first, so that a reader without support for time (ParaView ≤ 5.11) shows it.
+/// The newest of the S states is first, so that a reader without support for time (ParaView ≤ 5.11) shows
+/// this state.
 class VtkHdf {
  public:
   /// `stored`: for each changing field, which states have their own slot; empty: all states.
@@ -57,8 +58,8 @@ class VtkHdf {
          std::size_t states, std::span<const std::vector<bool>> stored = {});
 
   std::size_t n_states() const { return times_.size(); }
-  /// Adds a state. `points` 3n [m]; `fields` has the order of `changing`; a field without a new slot is
-  /// empty.
+  /// Adds a state. `points` has 3n numbers [m]; `fields` has the order of `changing`; a field for which the
+  /// state has no slot is empty.
   void write_state(double time, std::span<const double> points,
                    std::span<const std::span<const double>> fields);
   /// Writes the states that are still in memory.

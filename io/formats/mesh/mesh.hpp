@@ -11,9 +11,9 @@
 namespace netloft::formats {
 
 /// The kind of elements of a region, and the numbers of each element:
-///   triangles  of netting: the corners in meshes of their panel, U1 V1 U2 V2 U3 V3
-///   bars       of a rope: the fractions of its length at which each bar begins and ends
-///   twines     bars that represent several twines: their length in mesh sides, and the number of twines
+///   triangles  of netting: the panel coordinates of the corners [meshes], U1 V1 U2 V2 U3 V3
+///   bars       of a rope: the fractions of the rope length at which the bar begins and ends
+///   twines     bars that represent several twines: length of the bar [mesh sides], number of twines
 enum class RegionKind { triangles, bars, twines };
 
 const char* name_of(RegionKind kind);
@@ -56,7 +56,7 @@ std::optional<ElementFault> fault_of(const MeshRegion& region, std::size_t eleme
 inline constexpr std::size_t kMostNodes = 4000000, kMostElements = 4000000;  // limits for one mesh
 inline constexpr double kFarthest = 1e6;  // limit of coordinates, in metres and in meshes
 
-/// Whether a text is a mesh: it begins with `netloft mesh`.
+/// Whether a text is a mesh, that is, whether it begins with `netloft mesh`.
 bool is_mesh_text(std::string_view text);
 
 /// Reads a mesh from a text (MESH.md). Adds errors to `diagnostics`, where the text has the index `file`.
@@ -67,9 +67,9 @@ InputMesh read_mesh(std::string_view text, int file, Diagnostics& diagnostics);
 /// mesh`, `# vtk DataFile`, otherwise OBJ.
 InputMesh read_any_mesh(std::string_view text, int file, Diagnostics& diagnostics);
 
-/// Reads Wavefront OBJ: corners are `vertex/texture`, whose texture coordinates are U and V, or for ropes the
-/// fraction of the length; groups are regions, points are sets. obj_text() omits bars of several twines,
-/// which OBJ lacks.
+/// Reads Wavefront OBJ: corners are `vertex/texture`; the texture coordinates are U and V in netting, and the
+/// fraction of the length on a rope; groups are regions, points are sets. obj_text() omits bars of several
+/// twines, which OBJ cannot express.
 InputMesh read_obj(std::string_view text, int file, Diagnostics& diagnostics);
 std::string obj_text(const InputMesh& mesh, const std::string& source);
 

@@ -22,7 +22,7 @@ class MeshBuilder {
   }
 
   /// Converts a word to a coordinate, in metres or in meshes. Reports an error and returns 0 if the word is
-  /// no number or beyond a million.
+  /// not a number, or if its magnitude exceeds a million.
   double real(std::string_view word, const Place& place);
   void add_coordinate(double x, const Place& place);
 

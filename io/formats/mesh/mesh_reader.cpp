@@ -164,7 +164,7 @@ class MeshReader {
 
   void note(const Word& word) { index_places_.push_back(word.place); }
 
-  /// Checks an element without knowing the number of nodes.
+  /// Checks an element as far as possible before the number of nodes is known.
   void check_element(const MeshRegion& region, const std::vector<Word>& row) {
     if (const auto fault = fault_of(region, region.size() - 1))
       error(row[fault->is_of_nodes ? 0 : nodes_in(region.kind)].place, fault->message);

@@ -29,7 +29,7 @@ std::vector<double> values_of(const BarChart& chart) {
   return values;
 }
 
-/// Room for the longest name of a row, and at most for half of the picture.
+/// The width of the column of row names: enough for the longest name, but at most half of the picture.
 double name_room(const BarChart& chart) {
   std::size_t longest = 0;
   for (const auto& group : chart.groups)

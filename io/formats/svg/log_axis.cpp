@@ -31,7 +31,8 @@ double round_up(double value) {
   return std::ceil(value / decade - kDecadeRounding) * decade;
 }
 
-/// The number of decades from label to label, so that at most `most` of `count` powers have labels.
+/// The number of decades between two labels, chosen such that at most `most` of `count` powers of ten have
+/// labels.
 int label_stride(int count, int most) { return std::max(1, (count + most - 1) / std::max(1, most)); }
 
 }  // namespace

@@ -52,7 +52,7 @@ std::vector<AcceptedWarning> read_entries(const Value& root, Diagnostics& diagno
   return entries;
 }
 
-/// Whether a message begins with a text that ends at the end of a word or number of the message.
+/// Whether a message begins with `words`, and the last of these is a whole word or number of the message.
 bool begins_with(std::string_view message, std::string_view words) {
   if (!message.starts_with(words)) return false;
   const std::string_view rest = message.substr(words.size());

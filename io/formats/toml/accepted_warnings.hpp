@@ -10,14 +10,15 @@ namespace netloft::formats {
 ///   warning = "top-wing.aft"      # the words with which the warning begins
 ///   reason = "the sheet says so"
 ///
-/// An entry is for one warning, which begins with these words (whole words or numbers). If several warnings
-/// begin with them, none is accepted.
+/// An entry accepts one warning: the one that begins with the text `warning`, in whole words or numbers. If
+/// several warnings begin with this text, none is accepted.
 
-/// Marks the warnings that the key `accept` of a document names.
+/// Marks the warnings that the entries `accept` of a document accept.
 void mark_accepted(const Value& root, Diagnostics& diagnostics);
 
-/// Marks these warnings, and refuses entries without `warning` or `reason`. Unless there are errors, it also
-/// warns of entries that do not match exactly one warning. Call it once, after all warnings are known.
+/// Does the same as mark_accepted(), and also refuses entries without `warning` or `reason`. Unless there are
+/// errors, it also warns of entries that do not match exactly one warning. Call it once, after all warnings
+/// are known.
 void accept_warnings(const Value& root, Diagnostics& diagnostics);
 
 }  // namespace netloft::formats

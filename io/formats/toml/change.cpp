@@ -95,7 +95,7 @@ int length_of(const std::string& text) {
   return length;
 }
 
-/// Calls visit(place) for all places of a value.
+/// Calls visit(place) for the places of a value and of all values in it.
 template <class Visit>
 void for_places(Value& value, const Visit& visit) {
   visit(value.place);
@@ -144,7 +144,7 @@ class Walk {
     at_ = nullptr;
   }
 
-  /// Replaces a text that is an abbreviation of a table by this table.
+  /// If the value is a text that abbreviates a table, replaces the text by the table.
   void write_out() {
     const bool names_a_table = at_->as<std::string>() && std::find(naming_.keys.begin(), naming_.keys.end(),
                                                                    key_) != naming_.keys.end();

@@ -52,8 +52,8 @@ class Diagnostics {
   void error(const Place& place, std::string message, std::string hint = {}, std::vector<Cure> cures = {});
   void warning(const Place& place, std::string message, std::string hint = {}, std::vector<Cure> cures = {});
 
-  /// Adds the sources and messages of `other`. Returns the amount by which the indices of its sources
-  /// increase.
+  /// Adds the sources and messages of `other`. Returns the amount by which the indices of the sources of
+  /// `other` increase.
   int append(const Diagnostics& other);
   /// A copy with the same sources and without messages.
   Diagnostics without_messages() const;
@@ -65,7 +65,7 @@ class Diagnostics {
   int errors() const { return errors_; }
   /// Whether the next error will be shown. If not, no hint is needed; finding one may take long.
   bool wants_hints() const { return errors_ < static_cast<int>(kMostShown); }
-  /// Whether proposals for the next message will be tried. If not, there is no need to make any.
+  /// Whether proposals for the next message will be tried. If not, callers need not make proposals.
   bool wants_cures() const { return tries_cures_ && entries_.size() < kMostCured; }
   /// `tries`: whether the proposals for later messages will be tried.
   void expect_trials(bool tries) { tries_cures_ = tries; }

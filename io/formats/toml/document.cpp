@@ -85,8 +85,8 @@ std::string find_trouble(const std::string& text) {
   return {};
 }
 
-/// The cure if a file is missing beside a copy of a scene of the library: that of the library. Empty if the
-/// library has none of its name either.
+/// A hint if an included file is missing because only the scene was copied from the library: to include the
+/// file of this name in the library. Empty if the library has no such file either.
 std::string cure_of_missing(const fs::path& path) {
   std::error_code failed;
   const fs::path scenes = installed_folder() / "share/netloft/gear-library/scenes";

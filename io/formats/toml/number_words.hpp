@@ -15,8 +15,8 @@ struct NumberWords {
   bool is_whole = false;
 };
 
-/// While it exists, collects the properties of all numbers that this thread reads, by path. Numbers in parts
-/// that are taken from memory are not read again and not collected.
+/// Collects, by path, the properties of all numbers that this thread reads while the object exists. Numbers
+/// of parts that are taken from memory are not read again, and therefore not collected.
 class CollectedWords {
  public:
   CollectedWords();
@@ -32,7 +32,7 @@ class CollectedWords {
 
 /// Gives the properties of a number to the collector of this thread, if there is one.
 void collect_words(const std::string& path, const NumberWords& words);
-/// Whether there is one.
+/// Whether this thread has a collector.
 bool are_words_collected();
 
 }  // namespace netloft::formats

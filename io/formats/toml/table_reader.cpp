@@ -77,7 +77,7 @@ std::string wanted_real(const std::string& unit) {
   return unit == "1" ? std::string("a number") : dimension_name(unit) + " in " + unit;
 }
 
-/// A value within the range. The caller continues with it after an error.
+/// Some value within the range, with which the caller continues after an error.
 double within(const Range& range) {
   if (range.contains(0)) return 0;
   if (std::isfinite(range.lo) && std::isfinite(range.hi)) return range.lo + (range.hi - range.lo) / 2;
@@ -419,7 +419,7 @@ std::vector<double> TableReader::reals(std::string_view key, const RealsSpec& sp
 
 /// Opens { unit = "deg", values = [0, 5, 10] }, where one unit is stated for all numbers. Any other value is
 /// returned unchanged, without a unit. After an error in the unit, the numbers are still returned, although
-/// they have no meaning: their count avoids further errors about keys that need equally many numbers.
+/// they have no meaning: their count prevents further errors about other keys that need as many numbers.
 std::optional<TableReader::Numbers> TableReader::numbers_in(const Value& value, std::string_view key,
                                                             const std::string& si_unit,
                                                             const std::string& doc) {

@@ -13,8 +13,8 @@ namespace netloft::formats {
 /// a pure number. The grammar:
 ///   product = [ "1" ] ["/"] factor { ["." | "*" | "/"] factor }    from left to right: kg/m.s = (kg/m).s
 ///   factor  = ( word | "(" product ")" ) [ ["^" | "**"] [sign] digit ]
-/// Only single words are passed to the library UDUNITS, because its own grammar reads "10 5 m" as 50 m and "3
-/// s since 5" as a date, and leaks memory at every syntax error.
+/// Only single words are passed to the library UDUNITS, because the grammar of UDUNITS reads "10 5 m" as 50 m
+/// and "3 s since 5" as a date, and leaks memory at every syntax error.
 struct ParsedUnit {
   std::optional<Unit> unit;  // nullopt if the text cannot be read
   std::string unknown;       // the word that is not a unit; empty: an error of grammar

@@ -35,8 +35,8 @@ class UnitSystem {
   /// needed yet.
   const std::string& trouble() const { return trouble_; }
 
-  /// The unit of one word with its prefix, such as "mm". nullopt if UDUNITS does not know it or it is
-  /// logarithmic.
+  /// The unit of one word with its prefix, such as "mm". nullopt if UDUNITS does not know the word, or if the
+  /// unit is logarithmic.
   std::optional<Unit> parse(const std::string& word) const;
 
  private:

@@ -49,7 +49,8 @@ struct Written {
   std::string unit;
 };
 
-/// Splits `text` into a number and the unit after it. Returns an error if no finite number begins it.
+/// Splits `text` into a number and the unit after it. Returns an error if the text does not begin with a
+/// finite number.
 Quantity split(std::string_view text, const std::string& example, Written& out) {
   std::string_view rest = text;
   if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
@@ -102,8 +103,8 @@ std::string named(const Dimension& dimension, std::string_view unit) {
 }
 
 /// Multiplies a number by the scale of a unit. If this scale is the inverse of an integer, as for mm, the
-/// number is divided by the integer, which rounds once. A multiplication by 0.001 would round twice: "35 mm"
-/// would not be 0.035, and 144 of the first 1000 numbers would be wrong, too.
+/// number is divided by the integer, which rounds once. A multiplication by 0.001 would round twice: for 144
+/// of the integers from 1 to 1000, among them 35 in "35 mm", the result would be wrong.
 double times(double number, double scale) {
   const double inverse = std::round(1 / scale);
   const bool divides = std::abs(scale) < 1 && std::abs(inverse * scale - 1) < 4e-16 && inverse <= 1e15;

@@ -11,7 +11,7 @@ namespace netloft::program {
 
 namespace {
 
-/// Calls visit(command) for the program, for each of its commands, and for the commands of these.
+/// Calls visit(command) for the program and, recursively, for all its subcommands.
 template <class Visit>
 void for_commands(const CLI::App& app, Visit&& visit) {
   visit(app);
@@ -49,7 +49,7 @@ _netloft() {
     case "$command ${COMP_WORDS[i]}" in
 )sh";
 
-/// The line of a script of bash that completes a value; empty if nothing is known of it.
+/// The line of a bash script that completes the value of an option; empty if nothing is known of the value.
 std::string bash_value(const OptionRow& row) {
   if (!row.choices.empty()) return fmt::format("_netloft_words '{}'", fmt::join(row.choices, " "));
   if (!row.endings.empty()) return fmt::format("_netloft_files {}", fmt::join(row.endings, " "));
@@ -57,7 +57,8 @@ std::string bash_value(const OptionRow& row) {
   return row.is_folder ? "_netloft_folders" : "";
 }
 
-/// The case of a command: values of the option before the word, options, commands, and arguments.
+/// The branch of the bash script for a command. It completes the value of the option before the word,
+/// options, commands, and arguments.
 std::string bash_case(const CLI::App& command) {
   std::string values, arguments, flags;
   for (const OptionRow& row : rows_of(command)) {
@@ -140,8 +141,7 @@ std::string zsh_name(const CLI::App& command) {
   return name;
 }
 
-/// A function of zsh for a command. If the command has commands of its own, the function calls the functions
-/// of these.
+/// A function of zsh for a command. If the command has subcommands, the function calls their functions.
 std::string zsh_function(const CLI::App& command) {
   std::string specs, commands;
   for (const OptionRow& row : rows_of(command)) specs += " \\\n    " + zsh_row(row);

@@ -43,7 +43,7 @@ const std::vector<netloft_parameter>& columns() {
   return rows;
 }
 
-/// Adds the columns that both the part and the table have, under the name of the table.
+/// Adds a table to `all`, under the name of `table`: those of its columns that the part has.
 void add_polar(const gears::CataloguePart& part, const netloft_parameter& table, formats::Table& all) {
   formats::Table own;
   formats::Place place;

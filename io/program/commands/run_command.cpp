@@ -13,8 +13,8 @@ namespace {
 // matrix once more, which takes a hundredth of the run time.
 constexpr std::int32_t kFewUnknowns = 20000;
 
-/// If a run needs much of the available memory, reports the forecast. Throws if the run needs more than there
-/// is.
+/// If a run needs much of the available memory, reports the forecast. Throws if the run needs more than is
+/// available.
 void check_memory(Session& session) {
   if (session.scene().assembler().pattern().size < kFewUnknowns) return;
   const std::string note = note_of_memory(runs::foresee_memory(session.scene()), runs::memory_within_reach());

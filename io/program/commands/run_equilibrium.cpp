@@ -61,7 +61,7 @@ void keep_stages(const Assembler& assembler, std::vector<results::StageShape>& s
   };
 }
 
-/// One run. It keeps the best point so far, for the case that a call of a plugin never returns.
+/// One run. It stores the best point so far, which is written if a call of a plugin never returns.
 class EquilibriumRun {
  public:
   EquilibriumRun(const RunOptions& options, Session& session, results::RunContext& context)

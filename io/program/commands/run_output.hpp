@@ -11,7 +11,7 @@
 
 namespace netloft::program {
 
-/// The path of the result of a run. Throws UsageError if it is one of the scene's input files.
+/// The path of the result of a run. Throws UsageError if this path is one of the scene's input files.
 std::string output_file(const RunOptions& options, const scenes::LoadedScene& loaded);
 
 /// Throws UsageError if `part` has outputs of an unfinished motion, unless the options resume or replace it.

@@ -56,7 +56,8 @@ studies::Interval read_interval(const char* flag, const std::string& text) {
   return {numbers[0], numbers[1]};
 }
 
-/// Evenly spaced values from one end to the other; the third number of the text, if any, is their count.
+/// Evenly spaced values from the first number of the text to the second. Their count is the third number or,
+/// if there is none, `number`.
 std::vector<double> read_range(const char* flag, const std::string& text, double number) {
   const auto said = read_numbers(flag, text, true);
   if (said.size() == 3) number = said[2];

@@ -128,7 +128,7 @@ Json mesh_part_schema(const ElementType& e, const PluginContent& plugin) {
   return end_part(std::move(part), e, plugin);
 }
 
-/// The schema of a part on the nodes of other parts. Those parts may provide its data.
+/// The schema of a part on the nodes of other parts, which may provide the data of its elements.
 Json rider_schema(const ElementType& e, const PluginContent& plugin) {
   Json part = begin_part(e);
   part["title"] = e.type + " on other parts";

@@ -9,7 +9,8 @@ namespace netloft::program {
 
 /// Reports later crashes of the program on standard error: the running plugin, its call, and whether the
 /// stack overflowed. The exit code is then kOther. It is also kOther, with a sentence, if a plugin ends the
-/// program by exit, quick_exit, _exit or _Exit: that is, before last_step() and not by end_at_once().
+/// program by exit, quick_exit, _exit or _Exit. A plugin is taken to have done so if the program ends before
+/// last_step(), but not by end_at_once().
 void explain_crashes();
 /// Marks the last step of the program, and returns its exit code. The exit code is `code`, except that kDone
 /// becomes kOther if a plugin broke a rule of the plugin interface and this has not been reported.

@@ -15,7 +15,7 @@ void require_memory_to_solve();
 std::string memory_text(const runs::MemoryForecast& forecast, double within_reach);
 
 /// The forecast of the memory of a solve as text; empty if it is a small fraction of the available memory.
-/// Throws std::runtime_error with a sentence if it exceeds that memory.
+/// Throws std::runtime_error with a sentence if the forecast exceeds the available memory.
 std::string note_of_memory(const runs::MemoryForecast& forecast, double within_reach);
 
 }  // namespace netloft::program

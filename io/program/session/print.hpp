@@ -6,7 +6,7 @@
 namespace netloft::program {
 
 // Only these functions and Terminal write to standard output and standard error. They replace control
-// characters in all texts, because a terminal would execute these (io/formats/text).
+// characters in all texts, because a terminal would execute control characters (io/formats/text).
 
 /// Prints an answer, or a part of one, on standard output.
 void print(std::string_view text);

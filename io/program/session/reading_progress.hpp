@@ -12,8 +12,8 @@ namespace netloft::program {
 class Terminal;
 
 /// Shows the progress of reading and meshing scenes, and ends both by formats::Interrupted after an
-/// interruption. Draws in a separate thread, because a single step may take long, and only during reading.
-/// Nothing else may write to the terminal during that time.
+/// interruption. A separate thread draws, because a single step may take long. It draws only during reading;
+/// nothing else may write to the terminal during that time.
 class ReadingProgress : public formats::WorkFollower {
  public:
   explicit ReadingProgress(Terminal& terminal);

@@ -23,8 +23,8 @@ void require_ending(const std::string& option, const std::string& file,
 /// folder that does not exist. An empty name passes.
 void require_place(const std::string& file, const std::vector<std::string>& sources);
 
-/// Calls `write`. To be called after the answer was printed, so that a full disk affects only these files.
-/// Reports a failure. Returns `code`, or kOther after a failure.
+/// Calls `write`, which writes output files. Call it after the answer was printed, so that a full disk
+/// affects only these files. Returns `code`; after a failure, reports it and returns kOther.
 int write_last(Terminal& terminal, int code, const std::function<void()>& write);
 
 }  // namespace netloft::program

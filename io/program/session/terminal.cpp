@@ -28,7 +28,7 @@ bool wants_color(const std::string& choice, bool is_terminal) {
   return is_terminal && !(no_color && *no_color) && term && std::string(term) != "dumb";
 }
 
-/// Progress from the first residual to the required one, as a fraction of the powers of ten in between.
+/// Progress from the first residual to the required one on a logarithmic scale, from 0 to 1.
 double fraction_done(const IterationRecord& r, double first, double tolerance) {
   const double goal = tolerance * r.scale;
   if (!(r.residual > 0 && goal > 0 && first > goal)) return 1;

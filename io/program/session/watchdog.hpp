@@ -28,7 +28,8 @@ struct Overdue {
 ///   a solver, integrator or strategy has called the host 1000 times, and 2 s have passed;
 ///   a scene that was being read at the interruption is still being read half a second later.
 /// All other threads then wait at the boundary of plugins or are inside a plugin, so that the host can write
-/// its results. The program ends with the code that `last_act` returns, or after ten seconds without it.
+/// its results. The program ends with the code that `last_act` returns; if it does not return, the program
+/// ends after ten seconds.
 class Watchdog {
  public:
   Watchdog(Terminal& terminal, std::function<int(const Overdue&)> last_act);
