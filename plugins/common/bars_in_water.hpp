@@ -168,8 +168,8 @@ inline Status add_damping(const Lanes& p, netloft_tile& t) {
   return Status::ok;
 }
 
-/// Adds the damping (1) of loss.hpp, where dl/dt is reduced by the growth of the unstretched length: a rope
-/// that runs off a drum at constant strain loses no energy.
+/// Adds the damping (1) of loss.hpp, where the growth rate of the unstretched length is subtracted from
+/// dl/dt: a rope that runs off a drum at constant strain loses no energy.
 inline Status add_loss(const Lanes& p, const double* growth, netloft_tile& t) {
   const Chords chord(t, p.l0);
   Dampers d;

@@ -53,8 +53,8 @@ bool is_wet(const Lanes& p, const netloft_tile& t) {
   return true;
 }
 
-/// The drag of a tile of elements with N nodes, computed as if all were under water; `take_from` removes it
-/// from dry nodes.
+/// The drag of a tile of elements with N nodes, computed as if all nodes were under water; `take_from`
+/// removes it from dry nodes.
 template <int N>
 struct Drag {
   static constexpr int dofs = 3 * N;

@@ -6,8 +6,8 @@
 
 namespace netloft::floats {
 
-/// Floats at a node. s is the node's part of the number of floats along a rope, not necessarily an integer.
-/// Weights are floats with B < 0.
+/// Floats at a node. s is the number of floats that the node has of those along a rope; it need not be an
+/// integer. Weights are floats with B < 0.
 ///   B = the given buoyancy, or (ρ V − m) g                                  (1)
 ///   r = −s B e_z,  E = −s B z                  net upward force             (2)
 ///   r = −s κ C_d |W| W,  κ = ½ ρ A             drag                         (3)

@@ -9,7 +9,7 @@ namespace netloft::flows {
 
 /// Water that a bag of netting slows, by the balance of momentum of an actuator disc that spans its mouth.
 /// The elements are the bars along the rim of the mouth, in the order of a closed curve that runs
-/// counter-clockwise if the water flows towards the reader; they share the induction factor a:
+/// counter-clockwise if the water flows towards the viewer. All bars share the induction factor a:
 ///   w = U (1 − s a)                             velocity of the water in reach of the bag          (1)
 ///   Σ C_T(a) ½ ρ V² (V ΔA) − Σ U·F = 0           thrust of the disc = drag of the net, times V       (2)
 ///   C_T = 4a (1 − a)  if a ≤ 0.4,  else 8/9 − 4a/9 + 14a²/9                                        (3)

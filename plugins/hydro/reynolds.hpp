@@ -14,9 +14,9 @@ namespace netloft::hydro {
 /// Deviation from the source: φ steps by 1.7 % at Re = 1 and by 1.1 % at 30; within a factor of 1.25 of these
 /// numbers, the formulas are blended (smooth step in ln Re), which makes φ continuously differentiable. Below
 /// Re = 0.1, φ is continued along its tangent, so that drag is linear in the velocity. (3) is used above 10⁵,
-/// too, because ropes are too rough for a well-defined drag crisis. The source's formula for friction along a
-/// cable gives a force over a velocity, not a coefficient; netting_twine.hpp uses it. All formulas are joined
-/// without branches, so that loops over flows vectorise.
+/// too, because ropes are too rough for a well-defined drag crisis. The source also has a formula for
+/// friction along a cable, which gives a force over a velocity instead of a coefficient; netting_twine.hpp
+/// uses it. All formulas are joined without branches, so that loops over flows vectorise.
 inline constexpr double kCreepingBelow = 0.1, kBlend = 1.25;
 
 /// Returns φ by (1) for Re up to kBlend. Above, it returns a constant that is not used, because (1) has a

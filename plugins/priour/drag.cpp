@@ -12,7 +12,7 @@ namespace netloft::priour {
 namespace {
 
 /// The force F of the water on every element, its derivatives with respect to the flow W (`flow`), and with
-/// respect to the position of each corner (`x`), without the shear of the current. The first contribution
+/// respect to the position of each corner (`x`), neglecting the shear of the current. The first contribution
 /// sets these numbers, later ones add to them.
 struct Force {
   double F[3][kLanes], flow[9][kLanes], x[3][9][kLanes];

@@ -100,9 +100,7 @@ Status Bar::Tension::tile(const Family<Bar>& family, netloft_tile& t) {
       for (int c = 0; c <= r; ++c)
         A[axial::kPlace[r][c]][i] = g * ((r == c ? 1 : 0) - chord.t[r][i] * chord.t[c][i]);
   }
-  if (t.tangent)
-    bars::add_blocks(A, t.count, t.tangent);  // A is semi-definite, and therefore its own convex
-                                              // part
+  if (t.tangent) bars::add_blocks(A, t.count, t.tangent);  // A is semi-definite: its own convex part
   return Status::ok;
 }
 

@@ -86,7 +86,8 @@ struct FrontKernels {
   void (*update_columns)(const FrontPanels& front, double* C, std::ptrdiff_t from, std::ptrdiff_t to);
 };
 
-/// The best kernels for this processor; and all kernels that run on it, the best last.
+/// front_kernels() returns the best kernels for this processor, front_kernels_here() all kernels that run on
+/// it, the best last.
 const FrontKernels& front_kernels();
 std::vector<FrontKernels> front_kernels_here();
 

@@ -67,7 +67,7 @@ class LentFactorisation final : public Factorisation, public ForeseesMemory {
     is_analysed_ = true;
     has_failed_ = false;
   }
-  /// A factorisation that has failed is not kept, because it may have grown or have an unknown size.
+  /// A factorisation that has failed is not kept, because its memory may have grown or be unknown.
   FactorResult factorise(std::span<const double> values) override {
     analysed_->has_factor = true;
     const FactorResult result = inner().factorise(values);

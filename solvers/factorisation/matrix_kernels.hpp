@@ -53,7 +53,8 @@ struct MatrixKernels {
                    double* sizes);
 };
 
-/// The best kernels for this processor; and all kernels that run on it, the best last.
+/// matrix_kernels() returns the best kernels for this processor, matrix_kernels_here() all kernels that run
+/// on it, the best last.
 const MatrixKernels& matrix_kernels();
 std::vector<MatrixKernels> matrix_kernels_here();
 

@@ -148,7 +148,8 @@ bool MultifrontalFactorisation::take(std::span<const double> values) {
          find_column_not_finite(*pattern_, values) < 0;
 }
 
-/// Eliminates all fronts. If several fronts fail, the first of them is reported, as with one thread.
+/// Eliminates all fronts. If several fronts fail, the first of them in the order of elimination is reported,
+/// as with one thread.
 Elimination MultifrontalFactorisation::eliminate_all(std::size_t& front) {
   std::size_t failed = tree_.fronts.size();
   const Elimination end = eliminate_branches(failed);

@@ -7,8 +7,8 @@
 
 namespace netloft {
 
-/// A sparsity pattern in which the unknowns of each node are merged into one vertex. Orderings find the same
-/// fill as in the full pattern, with a ninth of the edges.
+/// A sparsity pattern in which the unknowns of each node are merged into one vertex. An ordering of this
+/// graph has the same fill as one of the full pattern, which has nine times as many edges.
 struct NodeGraph {
   std::int32_t size = 0;  // number of vertices: nodes that have an unknown
 

@@ -9,8 +9,7 @@ namespace {
 // Least work [floating-point operations] for several threads. With less, which one thread does in 25
 // microseconds, threads cost more than they save.
 constexpr double kWorthwhile = 1e6;
-constexpr std::ptrdiff_t kSlicesPerThread = 4;  // so that other threads hardly wait for one that has no core
-                                                // of its own
+constexpr std::ptrdiff_t kSlicesPerThread = 4;  // so that none waits long for a thread without a core
 
 /// Divides the numbers from `begin` to `end` into slices, for which threads call body(from, to). Slices begin
 /// at multiples of `grain` after `begin`.

@@ -86,7 +86,8 @@ Supernodes::Supernodes(const NodeGraph& graph, std::span<const std::int32_t> ord
   find_others(graph);
 }
 
-/// The others of a supernode are the later neighbours of its vertices, and the others of its children.
+/// Finds the `others` of every supernode: the later neighbours of its vertices, and the `others` of its
+/// children.
 void Supernodes::find_others(const NodeGraph& graph) {
   Indices place(order_.size()), supernode(order_.size()), seen_from(order_.size(), -1);
   for (std::size_t k = 0; k < order_.size(); ++k) place[order_[k]] = static_cast<std::int32_t>(k);

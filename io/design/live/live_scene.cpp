@@ -46,7 +46,7 @@ double distance_between(const runs::PreparedScene& scene, const std::vector<doub
   return largest_node_distance(scene.loaded().scene, scene.assembler().numbering(), a, b);
 }
 
-/// Positions x + times dx.
+/// Returns the positions `x` + `times` · `dx`.
 std::vector<double> led(const std::vector<double>& x, const std::vector<double>& dx, double times) {
   return runs::moved({x, {}}, dx, times).x;
 }

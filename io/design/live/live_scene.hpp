@@ -29,12 +29,11 @@ struct Tangents {
 
 /// An equilibrium that is not where the tangent predicted it.
 struct Jump {
-  double off = 0, moved = 0;  // largest distances of a node from its predicted place and from its previous
-                              // place [m]
+  double off = 0, moved = 0;  // largest distances of a node from its predicted and its previous place [m]
   std::string why;            // what changed between the two equilibria, as far as it is known
 };
 
-/// The fate of a text.
+/// The result of reading a text and searching for its equilibrium.
 struct Outcome {
   enum class Status { wrong_input, refused, no_equilibrium_sought, converged, not_converged, interrupted };
   Status status = Status::wrong_input;

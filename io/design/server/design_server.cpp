@@ -118,8 +118,7 @@ HttpReply DesignServer::answer(const std::string& name, const std::string& body)
     return error_reply(422, e.what());
   } catch (const formats::Interrupted&) {
     return error_reply(409, "a newer change has ended this work");
-  } catch (const std::exception& e) {  // for instance a full disk: this request fails, but the session
-                                       // continues
+  } catch (const std::exception& e) {  // such as a full disk: only this request fails
     return error_reply(500, e.what());
   }
 }

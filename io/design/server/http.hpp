@@ -41,7 +41,7 @@ struct HttpLimits {
 /// A small HTTP/1.1 server for this machine only: it listens on 127.0.0.1. It supports bodies with a length,
 /// persistent connections and streamed bodies; it refuses everything else, such as chunked requests, upgrades
 /// and other versions. A general library (cpp-httplib) would need OpenSSL, and loading OpenSSL would double
-/// the time in which the program starts.
+/// the start-up time of the program.
 class HttpServer {
  public:
   using Handler = std::function<HttpReply(const HttpRequest&)>;

@@ -16,8 +16,7 @@ namespace {
 
 constexpr int kMostPoints = 201;      // of a sweep
 constexpr int kMostSteps = 25;        // towards a target
-constexpr double kOnTarget = 1e-6;    // tolerance, relative to the target, or to the first value of the
-                                      // figure if the target is zero
+constexpr double kOnTarget = 1e-6;    // tolerance over the target, or over the first value if the target is 0
 constexpr double kLongestStep = 0.5;  // largest change of the number in one step, as a fraction of the number
 constexpr double kStepOfLimit = 0.05;  // first step of a search for a limit, as a fraction of the number
 constexpr int kMostStepsOfLimit = 40;  // limits beyond three times the number are not searched

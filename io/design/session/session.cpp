@@ -13,10 +13,8 @@ namespace netloft::design {
 
 namespace {
 
-constexpr std::size_t kKeptEvents = 64;            // number of stored events; a reader that missed older ones
-                                                   // requests the state again
-constexpr std::chrono::seconds kBetweenLooks{1};   // interval of checks whether other programs have changed
-                                                   // the files
+constexpr std::size_t kKeptEvents = 64;            // stored; readers that missed more request the state
+constexpr std::chrono::seconds kBetweenLooks{1};   // between checks for changes of files by other programs
 constexpr std::chrono::seconds kLongestWait{600};  // for an outcome
 
 }  // namespace

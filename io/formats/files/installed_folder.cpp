@@ -10,8 +10,8 @@ namespace netloft::formats {
 
 namespace {
 
-/// The file from which this function was loaded, with its whole path; empty if it is not known. dladdr()
-/// knows only the name under which the file was opened.
+/// The whole path of the file from which this function was loaded; empty if it is not known. dladdr() is not
+/// used, because it gives only the name under which the file was opened.
 std::filesystem::path own_file() {
   const auto here = reinterpret_cast<std::uintptr_t>(&own_file);
   std::ifstream maps("/proc/self/maps");

@@ -38,7 +38,7 @@ std::vector<std::size_t> extents_of(hid_t dataset) {
   return {extents.begin(), extents.end()};
 }
 
-/// The number of entries; the largest representable number if there are more.
+/// The number of entries of a dataset, limited to the largest representable number.
 std::size_t product(const std::vector<std::size_t>& extents) {
   std::size_t all = 1;
   for (const std::size_t extent : extents)

@@ -31,7 +31,7 @@ struct SealedFile {
   std::uint32_t between = 0;        // checksum of all other bytes
 };
 
-/// The checksum of bytes of a file; `sum` is that of the preceding bytes.
+/// The checksum of `length` bytes of a file from `place` on; `sum` is the checksum of the preceding bytes.
 std::uint32_t checksum_of(int fd, std::uint64_t place, std::uint64_t length, std::uint32_t sum) {
   std::string block(std::min<std::uint64_t>(length, kReadBlock), '\0');
   while (length > 0) {

@@ -15,8 +15,7 @@ bool is_control(unsigned code) { return code < 0x20 || (code >= kDelete && code 
 /// The next character of a text.
 struct Character {
   std::string_view bytes;
-  unsigned control = 0;  // code of a control character, or value of a byte that is not UTF-8; only if
-                         // is_control
+  unsigned control = 0;  // if is_control: the code, or the value of a byte that is not UTF-8
   bool is_control = false;
 };
 

@@ -7,9 +7,9 @@
 namespace netloft::formats {
 
 /// The text with its control characters written as in JSON, "\u001b", so that a terminal shows them instead
-/// of executing them. Control characters are U+0000 to U+001F, U+007F to U+009F, and single bytes of the
-/// second range, which a terminal without UTF-8 would execute. Line feeds and tabs stay; a line end of two
-/// characters becomes a line feed. A JSON text keeps its meaning.
+/// of executing them. Control characters are U+0000 to U+001F, U+007F to U+009F, and single bytes from 7F to
+/// 9F, which a terminal without UTF-8 would execute. Line feeds and tabs stay; a line end of two characters
+/// becomes a line feed. A JSON text keeps its meaning.
 std::string printable(std::string_view text);
 
 /// Like printable(), for a text within a line: line feeds are escaped as well, and tabs become blanks.

@@ -16,8 +16,7 @@ namespace netloft::formats {
 struct SourceFile {
   std::string path;  // the path of the root as given, or that of an include relative to the including file
   std::string text;
-  std::string hash;  // "fnv1a64:" and 16 hexadecimal digits of the text; distinguishes versions, but is not a
-                     // signature
+  std::string hash;  // "fnv1a64:" and 16 hexadecimal digits: distinguishes versions, is not a signature
 };
 
 /// Texts that are used instead of files, by their normalised names (as in Document::files()).

@@ -10,9 +10,8 @@
 
 namespace netloft::formats {
 
-/// Finds items of a list by name without a search through the list. The list may grow at its end between two
-/// calls. After any other change of the list or of a name in it, a new index is needed. Not safe for several
-/// threads.
+/// Finds items of a list by name without a search through the list. Between two calls, the list may only grow
+/// at its end; after any other change, also of a name, a new index is needed. Not safe for several threads.
 class NameIndex {
  public:
   /// The index of the first item with this name in `all`; name_of(item) returns the name of an item.

@@ -14,7 +14,7 @@ struct Step {
   std::string_view unit = {};  // empty: nothing is counted
 };
 
-/// Thrown when the user interrupts long work. Functions that have results to keep catch it.
+/// Thrown when the user interrupts long work. A function that already has results catches it.
 struct Interrupted : std::exception {
   const char* what() const noexcept override { return "interrupted"; }
 };
@@ -31,8 +31,8 @@ class WorkFollower {
 /// Sets the follower of all long work in this thread, and returns the previous one; nullptr: no follower.
 WorkFollower* follow_work(WorkFollower* follower);
 
-/// Work that may take long, such as reading a scene, from its first step to the end of this object. Nested
-/// work is a part of the outer work.
+/// Marks work that may take long, such as reading a scene. The work begins with the step `first` and ends
+/// with this object. Nested work is a part of the outer work.
 class LongWork {
  public:
   explicit LongWork(const Step& first);

@@ -121,8 +121,7 @@ int new_command(const NewOptions& options) {
       if (t.kind == options.kind)
         formats::write_whole(folder / renamed(t.file, options.kind, options.name),
                              renamed(without_licence(t.text), options.kind, options.name));
-  } catch (const formats::WriteError&) {  // removed because an incomplete component would block a second
-                                          // attempt
+  } catch (const formats::WriteError&) {  // an incomplete component would block a second attempt
     std::error_code none;
     fs::remove_all(folder, none);
     throw;

@@ -102,8 +102,7 @@ class EquilibriumRun {
   }
 
   void find_sensitivities(Watchdog& watchdog, results::Result& result) {
-    watchdog.allow(std::numeric_limits<double>::infinity());  // no time limit here: that of the scene is for
-                                                              // solves
+    watchdog.allow(std::numeric_limits<double>::infinity());  // the limit of the scene is for solves
     const auto show = [&](std::size_t done, std::size_t all, const std::string& path) {
       terminal_.progress_in_steps("numbers", done, all, path);
     };

@@ -225,8 +225,7 @@ Json scene_schema(Registry& registry) {
     const PluginContent& plugin = registry.plugin(name);
     for (const auto& e : plugin.elements) {
       if (!e.rides_on)
-        parts.add(e, plugin);  // companions are part of the schema of the elements that they
-                               // accompany
+        parts.add(e, plugin);  // companions are in the schema of the elements that they accompany
       if (e.is_on_body()) bodies.add_body(e, plugin);
     }
     for (const auto& s : plugin.solvers) put_component(analysis, s.type, s.solver.doc, s.parameters);

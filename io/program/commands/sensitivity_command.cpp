@@ -34,8 +34,7 @@ Solution solve(runs::PreparedScene& scene, Terminal& terminal, Watchdog& watchdo
       scene, {.interrupt = &interrupt_flag(),
               .on_iteration = [&](const IterationRecord& r) { terminal.progress(r, tolerance); },
               .on_budget = [&](double seconds) { watchdog.allow(seconds); }});
-  watchdog.allow(std::numeric_limits<double>::infinity());  // no time limit here: that of the scene is for
-                                                            // its solve
+  watchdog.allow(std::numeric_limits<double>::infinity());  // the limit of the scene is for its solve
   return solution;
 }
 

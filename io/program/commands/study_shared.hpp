@@ -16,7 +16,7 @@ namespace netloft::program {
 /// Reads the manifest of a planned study. Throws UsageError if there is none.
 studies::Study read_study(const std::filesystem::path& folder);
 
-/// A sentence about a file that has changed since the study was planned; empty if there is none.
+/// A sentence about a file that has changed since the study was planned; empty if no file has changed.
 std::string what_changed(const studies::Study& study, const std::filesystem::path& folder);
 
 /// Prints an answer as text or, with --json, as an object.

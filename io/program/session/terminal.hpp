@@ -34,8 +34,8 @@ class Terminal {
   /// key=value per minute in a log, a JSON object per second for programs. A new stage begins when the
   /// iteration number returns to 0.
   void progress(const IterationRecord& record, double tolerance);
-  /// Shows the progress of a motion that has reached the time t of `end` [s] after `seconds` of wall time,
-  /// with the remaining wall time at this rate. `run` is the name of the motion if there are several.
+  /// Shows the progress of a motion from 0 to `end` [s] that has reached the time `t` after `seconds` of wall
+  /// time, and the remaining wall time at this rate. `run` is the name of the motion if there are several.
   void progress_in_time(double t, double end, double seconds, const std::string& run = {});
   /// Shows the progress of work in steps: `done` of `all` steps are done; `all` is 0 if their number is
   /// unknown. `things` is a word for the steps, such as "items"; `last` names the step that was done last.

@@ -133,7 +133,7 @@ void Watchdog::abandon_result() {
   end_at_once(kInterrupted);
 }
 
-/// Compares the calls of all threads with those at the last inspection.
+/// Compares the calls that all threads are in with their calls at the last inspection.
 void Watchdog::look(bool interrupted, double now) {
   if (seen_.empty()) over_since_ = now;
   for (CallStack* calls : calls_of_all_threads()) {

@@ -16,8 +16,7 @@ class Terminal;
 
 /// A plugin, or the reading of a scene, that continued after its time was over.
 struct Overdue {
-  bool interrupted = false;  // whether the user interrupted; otherwise the processor time of the analysis is
-                             // used up
+  bool interrupted = false;  // by the user; otherwise, the processor time of the analysis is used up
   std::string sentence;      // such as "loops/forever, solve, did not return for 2 s after Ctrl-C"
 };
 

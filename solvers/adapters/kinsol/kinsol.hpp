@@ -16,8 +16,7 @@ struct Kinsol {
   struct Parameters {
     std::int64_t strategy = 0;
     double damping = 0;        // factor μ of (1)
-    double longest_step = 0;   // longest step: root mean square over the unknowns, in lengths of the largest
-                               // element
+    double longest_step = 0;   // longest step (root mean square), in lengths of the largest element
     double shortest_step = 0;  // shortest step: its largest component relative to the unknown
   };
   static Outcome solve(const Parameters& parameters, Problem& problem);

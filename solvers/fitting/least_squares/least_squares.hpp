@@ -50,7 +50,8 @@ struct Fit {
 
 /// Fits `measured`. The model may predict additional values, which get deviations, too. If the model has no
 /// solution at the means of the priors, or no slopes at a point of the iteration, `parameters` is empty. If
-/// the fit is interrupted, the result is the best point with known slopes, if there is one.
+/// the fit is interrupted, the result is the best point at which slopes were computed, if there is such a
+/// point.
 Fit fit(Model& model, const std::vector<Prior>& priors, const std::vector<Measurement>& measured,
         const FitOptions& options = {});
 

@@ -203,8 +203,7 @@ class Search {
     for (Index i = 0; i < at.z.size(); ++i)
       if (const int end = end_of(at.z(i))) active.push_back({i, end});
     const auto count = static_cast<Index>(active.size());
-    Matrix all(count, at.z.size());  // slopes of everything that is at a limit, positive if it increases away
-                                     // from the limit
+    Matrix all(count, at.z.size());  // slopes of all that is at a limit, positive away from the limit
     for (std::size_t k = 0; k < active.size(); ++k) {
       const auto [of, side] = active[k];
       const Vector slope = k < rows ? Vector(at.slopes.row(of)) : Vector::Unit(at.z.size(), of);

@@ -42,8 +42,8 @@ class MeritSteps {
  public:
   MeritSteps(const Newton::Parameters& parameters, std::size_t size) : p_(parameters), curved_(size) {}
 
-  /// Moves u along s: by (5) if it allows, otherwise by (4), or by (8) if (4) is too short and (8) gains
-  /// more.
+  /// Moves u along s: by the whole step if (5) allows it, otherwise by (4), or by (8) if the step by (4) is
+  /// too short and (8) gains more.
   Step take(Iterate& iterate, const Direction& direction);
   /// Adds the decrease of m by a step, or by a move along negative curvature, to the sum.
   void add_gain(double gain) {

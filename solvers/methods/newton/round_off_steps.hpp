@@ -26,8 +26,7 @@ class StallCount {
   }
 
  private:
-  std::int64_t most_steps_, steps_without_halving_ = 0;     // limit and number of steps in a row without
-                                                            // halving
+  std::int64_t most_steps_, steps_without_halving_ = 0;     // steps in a row without halving: limit, number
   double least_ = std::numeric_limits<double>::infinity();  // the decrease that must be halved next
 };
 

@@ -14,8 +14,8 @@ namespace {
 /// The limit of λ in (5) of relaxation.hpp. If λ exceeds it, masses are raised such that λ becomes
 /// kWantedRate. This is half the limit, the bound of λ for the linear stiffness with the masses (1).
 constexpr double kLargestRate = 4, kWantedRate = 2;
-/// Least mass as a fraction of the heaviest: half of the digits of a double. Otherwise, nodes without linear
-/// stiffness would have no mass and would move too far.
+/// Least mass as a fraction of the heaviest, half of the digits of a double. Without this bound, nodes
+/// without linear stiffness would have no mass and would move too far.
 constexpr double kLightest = 0x1p-26;
 /// Limit of the increase of all masses, because heavier masses would move by less than rounding in a step. If
 /// forces are undefined even at this limit, the method fails.
@@ -88,7 +88,8 @@ class Motion {
     kinetic_ = {kinetic_[1], kinetic_[2], 0.5 * sum};
   }
 
-  /// Starts by (2) with half an acceleration: the first velocity is that half a step after rest.
+  /// Starts from rest by (2) with half of the acceleration, because velocities belong to the middle of a
+  /// step.
   void start_from_rest() {
     std::copy(problem_.u().begin(), problem_.u().end(), rest_.begin());
     double sum = 0;

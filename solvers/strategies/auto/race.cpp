@@ -45,7 +45,7 @@ Displacements start_with_forces(Search& search) {
 /// largest coordinate is the size of an element. t is the largest of 1, ½, ¼, … for which the force still
 /// points away from the saddle:
 ///   t y·r(u + t y) < 0                                                                    (2)
-/// Near the greatest such t, the gear comes to rest. If y is not known, the sides are two different
+/// The next equilibrium is expected near the greatest such t. If y is not known, the sides are two different
 /// perturbations.
 Displacements beside(Search& search, const Stage& saddle, const Ask& ask, int side) {
   const double largest = largest_of(saddle.growing);

@@ -48,8 +48,8 @@ class Race {
   const Displacements& start() const { return start_; }
 
  private:
-  /// The fate of an attempt. again_at_once: the attempt was cut off close to balance, and gets a slice of
-  /// double length at once.
+  /// The sequel of a slice for its attempt: nothing more (`out`), a slice in the next round (`again`) or, if
+  /// it was cut off close to balance, a slice of double length at once (`again_at_once`).
   enum class Fate { out, again, again_at_once };
   struct Runner {
     Attempt attempt;

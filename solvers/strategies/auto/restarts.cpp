@@ -38,8 +38,8 @@ class Restarts {
   double left() const { return search_.work_left() - end_; }
   const Stage& best() const { return best_; }
 
-  /// Lets a strategy solve from `start` with the work that is left for this restart. If the result is bit for
-  /// bit the best shape, it is ignored, because the race has made the same request before.
+  /// Lets a strategy solve from `start` with the work that is left for this restart. A result that equals the
+  /// best shape bit for bit is ignored: the strategy has then solved the same problem as in the race.
   void solve(const char* strategy, const Displacements& start) {
     if (left() <= 0) return;
     Stage next = search_.call(strategy, "", {.name = "restart", .work = left()}, start);

@@ -24,7 +24,7 @@ namespace netloft::tension {
 ///   a = `to_boundary` of the way to the boundary of K, at most a whole step                 (6)
 ///   g = W (v \ (μ e − v∘v)): a step towards the centre, z ∘ y = μ e                          (7)
 /// (Mehrotra's predictor and corrector for cones: E. D. Andersen, C. Roos, T. Terlaky, Math. Program. 95,
-/// 2003.) w is linear in u, so that steps need not be short because of the geometry of members. A point at
+/// 2003.) Because w is linear in u, the geometry of members does not limit the length of a step. A point at
 /// which some member is much nearer to the boundary of K than others allows short steps only; if (5) allows
 /// less than 1 − `to_boundary` of its step, (7) takes its place. Drag does not fit into a convex problem; it
 /// is linearised at every step, like all of r. The method fails if (7) allows no more. It has converged if μ

@@ -80,9 +80,7 @@ class Members {
 
  private:
   static void check(int status) {
-    if (status < 0)
-      throw std::runtime_error("");  // an empty message, because the host reports the cause
-                                     // itself
+    if (status < 0) throw std::runtime_error("");  // empty, because the host reports the cause
   }
   netloft_members& m_;
 };

@@ -75,8 +75,8 @@ void MixedNewton::follow_positions() {
   for (std::size_t e = 0; e < members_.size(); ++e) T_[e] = tension_at(e, geometry_[e].strain);
 }
 
-/// Computes r and its tangent, unless they are known because the last stage ended at this u. Returns false if
-/// elements cannot compute their forces.
+/// Computes r and its tangent at u, unless the last stage ended at this u and has computed them. Returns
+/// false if elements cannot compute their forces.
 bool MixedNewton::find_rest(std::span<const double> u) {
   if (!knows_rest_) knows_rest_ = members_.evaluate(u, rest_);
   return knows_rest_;

@@ -41,8 +41,7 @@ class MixedNewton {
     double damping = 0;          // damping factor μ at the start of the stage
     double farthest_turn = 0;    // limit of the rotation of a member in one step [rad]
     bool is_between = false;     // true: the stage ends after its first whole step, without a tolerance
-    double tolerance = 0;        // the stage ends if no residual exceeds this fraction of the largest
-                                 // reaction
+    double tolerance = 0;        // largest residual over largest reaction at the end
     std::int64_t iterations = 0;
   };
 
