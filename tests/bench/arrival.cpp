@@ -84,7 +84,7 @@ struct Row {
   double unknowns = 0, cpu = 0;
 };
 
-/// Statistics of the stages on the scene's own mesh.
+/// Sum of the statistics of the stages on the scene's mesh, without those on coarser meshes.
 Statistics on_its_own_mesh(const Solution& s) {
   if (s.cost.stages.empty()) return s.cost.statistics;
   Statistics sum;
@@ -116,7 +116,7 @@ Row arrive(const char* file, const Overrides& overrides) {
   return print_row(scene, s, cpu_seconds() - begun);
 }
 
-/// Prints p of t ~ nᵖ between the first and the last row.
+/// Prints the exponent p of t ~ nᵖ from the first and last row: t is the CPU time, n the number of unknowns.
 void print_exponent(const std::vector<Row>& rows) {
   if (rows.size() > 1)
     std::printf("  CPU time grows with the power %.2f of the unknowns\n",
@@ -135,7 +135,8 @@ void panels(const char* what, const char* file, double largest) {
   print_exponent(rows);
 }
 
-/// Numbers of cells of a pelagic trawl: across a panel, along its fore and its aft half, along a bridle.
+/// Overrides that set the numbers of cells of a pelagic trawl: `across` a panel, along its `fore` half and
+/// its `aft` half, and along a `bridle`.
 Overrides trawl_cells(int across, int fore, int aft, int bridle) {
   Overrides all;
   const auto cells = [](int a, int b) { return "[" + std::to_string(a) + "," + std::to_string(b) + "]"; };
@@ -150,7 +151,8 @@ Overrides trawl_cells(int across, int fore, int aft, int bridle) {
 
 constexpr const char* kTrawl = "tests/stability/scenes/pelagic-trawl.toml";
 
-/// Solves the trawl from its crude sketch at 1.5 m/s, and from there at half a per cent more speed.
+/// Solves the trawl at 1.5 m/s from its crude sketch, and then at a speed higher by 0.5 % from that
+/// equilibrium.
 void trawl(Overrides overrides) {
   overrides.push_back("water.current=[1.5,0,0]");
   runs::PreparedScene first(source(kTrawl, overrides), plugins());
@@ -171,7 +173,7 @@ void trawl(Overrides overrides) {
   print_row(next, changed, cpu_seconds() - begun);
 }
 
-/// Newton's method alone, on the mesh of the scene, from the equilibrium at half a per cent less speed.
+/// Solves by Newton's method alone, on the scene's mesh, from the equilibrium at a speed lower by 0.5 %.
 void newton(int nodes) {
   const char* file = "gear-library/scenes/83-112-flume-3.0kn.toml";
   const Overrides overrides{"gear.nodes=" + std::to_string(nodes)};
@@ -199,7 +201,7 @@ void newton(int nodes) {
   std::fflush(stdout);
 }
 
-/// Wall time of one residual with its tangent, the best of several [s].
+/// Wall time of one evaluation of residual and tangent, the least of several [s].
 double assembly_time(runs::PreparedScene& scene, const std::vector<double>& x) {
   std::vector<double> values(scene.assembler().value_slots()), residual(x.size());
   double best = std::numeric_limits<double>::infinity();

@@ -6,8 +6,8 @@
 
 namespace netloft {
 
-/// CHOLMOD with its own choice of ordering and of kernels, to compare with. It is in this bench only, because
-/// its supernodal part is under the GPL. nullptr: it was not there when the bench was built.
+/// CHOLMOD, which chooses its ordering and kernels itself, for comparison. Only this bench uses it, because
+/// its supernodal part is under the GPL. Returns nullptr if CHOLMOD was missing when the bench was built.
 std::unique_ptr<Factorisation> make_cholmod_factorisation();
 
 }  // namespace netloft

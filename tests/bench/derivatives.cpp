@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares the derivatives of `netloft sensitivity` with pairs of equilibria on the same mesh topology, and
-// their cost with that of a run. Prints derivatives.md.
+// Compares the derivatives of `netloft sensitivity` with differences between pairs of equilibria on the same
+// mesh topology, and the cost of the derivatives with that of a run. Prints derivatives.md.
 //
 //   bench_derivatives [NUMBERS [SEED]]    number of values drawn for each scene (6), seed (1)
 #include "io/studies/sensitivity/sensitivity.hpp"
@@ -56,8 +56,8 @@ struct AtRest {
   results::Result result;
 };
 
-/// The figures of the equilibrium at another value of a number, on the mesh of `at`; empty if there is no
-/// equilibrium.
+/// The figures of the equilibrium in which `number` has the given `value`, on the mesh topology of `at`;
+/// empty if there is no equilibrium.
 std::vector<results::NamedScalar> figures_beside(const AtRest& at, const SceneNumber& number, double value) {
   runs::CaseSource source = at.scene.source();
   formats::append(source.changes, number.to(value));
@@ -98,7 +98,8 @@ double largest_effect(const Sensitivities& found, std::size_t f) {
   return largest;
 }
 
-/// Adds the results for one number and the chosen figures.
+/// Compares the derivatives of the chosen figures with respect to one number, and adds the results to
+/// `pairs`.
 void compare(const AtRest& at, const Sensitivities& found, const NumberEffect& effect,
              const std::vector<std::size_t>& figures, Pairs& pairs) {
   const double p = effect.number.value, h = kStep * std::abs(p);
@@ -121,7 +122,7 @@ void compare(const AtRest& at, const Sensitivities& found, const NumberEffect& e
   }
 }
 
-/// Compares the key figures of a scene for some of its numbers.
+/// Compares the derivatives of a scene's key figures with respect to `count` of its numbers.
 Pairs compare(const char* name, bool has_plan, std::size_t count, unsigned seed) {
   Pairs pairs;
   std::vector<std::string> set{"analysis.tolerance=1e-10"};
@@ -141,11 +142,12 @@ Pairs compare(const char* name, bool has_plan, std::size_t count, unsigned seed)
 
 // ---------------------------------------------------------------- nothing switches
 
-/// Steps of differences between equilibria between which nothing switches, as fractions of the number.
+/// Steps of the finite differences, as fractions of the number. A difference counts only if no member or
+/// contact switches between its equilibria.
 constexpr double kFrozenSteps[] = {1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6};
 
-/// Errors of derivatives found by differences of equilibria, as fractions of the largest effect on the
-/// figure.
+/// Errors of the derivatives, found by finite differences of equilibria, as fractions of the largest effect
+/// on the figure.
 struct Errors {
   struct One {
     double error = 0, known_to = 0;  // known_to: the error of the equilibria
@@ -169,8 +171,8 @@ std::vector<bool> sides(const Switches& at) {
   return below;
 }
 
-/// The value of figure `f` at the equilibrium for a changed number; NaN if there is no equilibrium, or if a
-/// member that is taut or a node that touches the ground differs from `at`.
+/// The value of figure `f` at the equilibrium for a changed number; NaN if there is no equilibrium, or if
+/// other members are taut or other nodes touch the ground than in `at`.
 double figure_nearby(AtRest& at, const SceneNumber& number, double value, std::size_t f) {
   runs::CaseSource source = at.scene.source();
   formats::append(source.changes, number.to(value));
@@ -187,8 +189,8 @@ double figure_nearby(AtRest& at, const SceneNumber& number, double value, std::s
   return all_figures(results::make_result(beside.loaded(), beside.assembler(), s))[f].value;
 }
 
-/// The derivative of figure `f` by four equilibria, with an error of the fourth order of the step; NaN if one
-/// of them is missing.
+/// The central difference of figure `f` over four equilibria, of fourth order in the step `h`; NaN if one of
+/// the four values is NaN.
 double by_frozen_equilibria(AtRest& at, const SceneNumber& number, std::size_t f, double h) {
   const auto change = [&](int k) {
     return figure_nearby(at, number, number.value + k * h, f) -
@@ -197,8 +199,8 @@ double by_frozen_equilibria(AtRest& at, const SceneNumber& number, std::size_t f
   return (8 * change(1) - change(2)) / (12 * h);
 }
 
-/// The derivative by the two successive steps whose results differ least: longer steps have a larger error of
-/// truncation, shorter steps one of rounding. The error is the difference of the two results.
+/// The derivative from the two successive steps whose results differ least: longer steps have a larger
+/// truncation error, shorter steps a larger rounding error. `error` is the difference of the two results.
 struct Known {
   double slope = NAN, error = INFINITY;
 };
@@ -213,7 +215,7 @@ Known by_frozen_equilibria(AtRest& at, const SceneNumber& number, std::size_t f)
   return best;
 }
 
-/// Compares pairs of a number and a key figure of a scene that are drawn at random.
+/// Compares derivatives with finite differences for random pairs of a key figure and a number of a scene.
 Errors compare_frozen(const char* name, bool has_plan, std::size_t pairs, unsigned seed) {
   Errors errors;
   std::vector<std::string> set{"analysis.tolerance=1e-13"};
@@ -275,7 +277,7 @@ void print_frozen(std::size_t pairs, unsigned seed) {
 }
 
 /// The processor time of the derivatives of all figures with respect to the first `count` numbers of the
-/// 83-112 at sea with 2000 nodes, divided by the time to read and solve the scene; the median of five pairs.
+/// 83-112 at sea with 2000 nodes, divided by the time to read and solve the scene; the median of five ratios.
 double cost(std::size_t count) {
   std::vector<double> ratios;
   for (int i = 0; i < 5; ++i) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Error against CPU time of netting by triangles and by lumped masses, in three cases: the hanging panel of
-// fig. 6a of the trawl-gear paper, 40 x 40 meshes, against every twine modelled by an independent program;
-// the same panel in a current across it, against lumped/net with one mesh per cell (the row without an
-// error); a cod-end with a catch, against an axisymmetric membrane. Times are the best of three on one
-// thread; run with OMP_THREAD_LIMIT=1, and compare rows of one run only.
+// fig. 6a of the trawl-gear paper, 40 x 40 meshes, compared with an independent program that models every
+// twine; the same panel in a current across it, compared with lumped/net with one mesh per cell (the row
+// without an error); a cod-end with a catch, compared with an axisymmetric membrane. Times are the best of
+// three on one thread; run with OMP_THREAD_LIMIT=1, and compare rows of one run only.
 #include "tests/verification/scene_file.hpp"
 
 #include <cmath>
@@ -66,8 +66,8 @@ void compare(const char* what, const Shape& want, const std::vector<std::string>
       print_row(type, cells, run(type, cells, more), want);
 }
 
-/// A cod-end of the library: stiffness of a twine, and the axisymmetric membrane's length, largest radius and
-/// drag.
+/// Stiffness of a twine of the cod-end, and length, largest radius and drag of the axisymmetric membrane of
+/// the same netting.
 struct Codend {
   double EA, length, radius, drag;  // [N], [m], [m], [N]
 };

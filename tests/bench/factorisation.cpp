@@ -65,7 +65,7 @@ Cost measure(Factorisation& factorisation, const TestMatrix& matrix) {
   return cost;
 }
 
-/// Lines of one table; the others are compared with the first.
+/// Prints the lines of one table. Each line ends with its ratios to the first line.
 class Table {
  public:
   explicit Table(const char* what, const TestMatrix& matrix) {
@@ -111,8 +111,8 @@ void compare_unsymmetric(const char* what, const TestMatrix& m) {
     table.add("MUMPS LU best", measure(*make_mumps_factorisation(MatrixClass::unsymmetric), m));
 }
 
-/// A tangent of the panel across a current of `speed`, out of balance as in an iteration, plus `shift` times
-/// the linear stiffness.
+/// The tangent at the start of the panel across a current of `speed`, where forces are out of balance as in
+/// an iteration, plus `shift` times the linear stiffness.
 TestMatrix tangent_of_panel(int cells, double speed, MatrixKind kind, double shift, Registry& registry) {
   Scene scene = sample::hanging_panel(cells, 36.5);
   if (speed > 0) scene.current.samples = {{0, {0, speed, 0}}};

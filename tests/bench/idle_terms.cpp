@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Cost of terms that a scene does not use: the hanging panel with priour/triangle as shipped, over the same
-// triangle with tension and weight only (bare_netting.cpp).
+// Cost of terms that a scene does not use: the time for the hanging panel with the shipped priour/triangle,
+// divided by the time with the same triangle reduced to tension and weight (bare_netting.cpp).
 //
-// Both are evaluated in pairs, one right after the other and in random order, so that a busy machine disturbs
-// both alike, on one core and in processor time. A pair gives a ratio. The median of many ratios does not
-// depend on how large the disturbances are. The addresses of the memory cost or save a per cent, the same for
-// all pairs of two panels; therefore both panels are built anew many times, and the printed median and its
-// confidence interval are those of the medians of these builds. The ratio of the best times is printed, too.
+// Each pair evaluates both panels one right after the other, in random order, on one core and in processor
+// time, so that a busy machine disturbs both alike. A pair gives a ratio. The median of many ratios does not
+// depend on how large the disturbances are. The memory addresses of the two panels change the ratio by up to
+// a per cent, equally in all their pairs; therefore both panels are built anew many times, and the printed
+// median and its confidence interval are those of the medians of these builds. The ratio of the best times is
+// printed, too.
 #include "framework/assembler/assembler.hpp"
 #include "tests/folders.hpp"
 #include "tests/support/sample_scenes.hpp"
@@ -62,7 +63,8 @@ struct Panel {
   std::vector<double> residual, values;
 };
 
-/// Median with its two-sided 95 % interval, the order statistics n/2 ± 0.98 √n, for any distribution.
+/// Median with its two-sided 95 % confidence interval for any distribution: the order statistics n/2 ± 0.98
+/// √n.
 struct Median {
   explicit Median(std::vector<double> of) {
     std::sort(of.begin(), of.end());

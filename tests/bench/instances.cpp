@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cost of a scene in which one number changes after its file has been read
-// (io/scenes/reading/scene_source.hpp), over the cost of reading the file with the changed number: processor
-// time, the least of several, each with a value that has not been used before.
+// Processor time to change one number of a scene whose file has been read
+// (io/scenes/reading/scene_source.hpp), divided by the time to read the file with the changed number. Each
+// time is the least of several runs, and each run has a new value of the number.
 //
 //   bench_instances [SCENE [NODES…]]
 #include "framework/balance/statistics.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 using Changes = std::vector<formats::Change>;
 
-/// A number of a scene, given by its key.
+/// A number of a scene: what it is, its path, its value and its unit.
 struct Number {
   const char *kind, *path;
   double value;
@@ -36,7 +36,7 @@ struct Number {
   }
 };
 
-/// A gear of the library, numbers of it that do not change the mesh, and numbers that do.
+/// A gear of the library with `numbers` that do not change the mesh, and numbers `of_mesh` that do.
 struct GearScene {
   const char* file;
   std::vector<Number> numbers, of_mesh;

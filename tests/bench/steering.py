@@ -25,8 +25,8 @@ framework/balance/work.*
 framework/search/running_search.* framework/search/search_host.*
 framework/search/known_stages.* framework/search/shapes.* framework/include/netloft/strategy.hpp
 framework/include/netloft/imbalance.hpp framework/include/netloft/scatter.hpp""".split()
-# For each file, its options that do not influence `auto`. In files that ONLY names, only the options in ONLY
-# influence it.
+# For each file, the options that do not influence the strategy `auto`. In a file that ONLY lists, only the
+# options listed there influence `auto`.
 NOT_ITS_OWN = {
     "io/scenes/reading/keys.cpp": None,
 }

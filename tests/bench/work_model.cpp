@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Compares the model of work (framework/balance/work.hpp) with measured CPU time, on panels in still water
-// and in a current and on a trawl. It prints operations by the model over measured microseconds, which would
-// be the same number in all columns if the model were exact, and the cost of each operation in
-// factorisations, by the model and as measured.
+// and in a current and on a trawl. It prints the modelled number of operations per measured microsecond,
+// which would be equal in all columns if the model were exact, and the modelled and the measured cost of each
+// operation, in factorisations.
 //
 //   bench_work_model [LARGEST]    most unknowns of a scene, 100 000 if left out
 #include "framework/assembler/assembler.hpp"

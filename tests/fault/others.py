@@ -221,7 +221,7 @@ def ask_inputs(ground):
         for name, text in made.items():
             (ground.work / name).write_text(text.replace("FILE", path))
         for words in (*direct, *through):
-            # A folder is an empty catalogue, and an empty folder has no gears to check.
+            # An empty folder is accepted: as an empty catalogue, and by --check as a folder without gears.
             may_be = kind == "folder" and ("--check" in words or "parts.toml" in words) or "parts.toml" in words
             words_now = [path if word == "FILE" else word for word in words]
             shown = " ".join(Path(word).name if word.startswith("/") else word for word in words)

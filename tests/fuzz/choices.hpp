@@ -10,7 +10,7 @@
 
 namespace netloft::fuzz {
 
-/// An input read as a sequence of choices. After its end, every choice is the first one.
+/// An input read as a sequence of choices. After the end of the input, every choice is the first option.
 class Choices {
  public:
   Choices(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
@@ -25,7 +25,7 @@ class Choices {
     data_ += count, left_ -= count;
     return value;
   }
-  /// Both ends included.
+  /// A whole number from lo to hi, both included.
   template <class T>
   T in(T lo, T hi) {
     using Unsigned = std::make_unsigned_t<T>;

@@ -16,7 +16,7 @@ using namespace netloft;
 constexpr double kMostNodes = 2000;  // largest number of nodes of a gear that is divided, so that no input
                                      // takes seconds
 
-/// Prevents the compiler from leaving out the value.
+/// Makes the compiler compute `size`, although nothing needs it.
 void use(std::size_t size) {
   static volatile std::size_t sink = 0;
   sink = size;

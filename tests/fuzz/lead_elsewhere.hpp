@@ -52,7 +52,8 @@ inline void add_strings(hid_t file, const std::string& path, const char* text) {
   H5Dclose(made), H5Sclose(space), H5Tclose(type);
 }
 
-/// Replaces the object `path` by a reference of this kind, from 1 to kWaysElsewhere.
+/// Replaces the object `path`, or for the last `way` the names of parts, by a reference of the kind `way`,
+/// from 1 to kWaysElsewhere.
 inline void lead_elsewhere(hid_t file, const std::string& path, int way) {
   const std::string names = "/netloft/parts/name";
   const std::string& replaced = way == kWaysElsewhere ? names : path;

@@ -33,7 +33,7 @@ struct Record {
   std::size_t whole_from = 0, whole_to = 0;  // bytes that are not changed
 };
 
-/// In a record, the identity of the run is followed by the length of the image and the image.
+/// Protects the length of the image and the image, which follow the identity of the run, from changes.
 void spare_image(Record& record) {
   formats::ByteReader from(record.content);
   record.whole_from = sizeof(std::uint64_t) + from.text().size();

@@ -25,7 +25,7 @@ const gears::Catalogue& catalogue() {
   return parts;
 }
 
-/// Prevents the compiler from leaving out the value.
+/// Makes the compiler compute `size`, although nothing needs it.
 void use(std::size_t size) {
   static volatile std::size_t sink = 0;
   sink = size;

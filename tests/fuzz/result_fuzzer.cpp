@@ -169,7 +169,7 @@ void stand_on(const fs::path& path) {
   }
 }
 
-/// Whether it could be read.
+/// Reports the result in every form. Returns whether it could be read.
 bool look_at(const fs::path& path) {
   try {
     const results::Result result = results::read_result(path);

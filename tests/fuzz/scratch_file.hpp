@@ -32,7 +32,7 @@ inline std::filesystem::path write_scratch(const std::string& name, const std::u
   return path;
 }
 
-/// Prevents the compiler from leaving out the value.
+/// Makes the compiler compute `size`, although nothing needs it.
 inline void use(std::size_t size) {
   static volatile std::size_t sink = 0;
   sink = size;

@@ -22,7 +22,7 @@ constexpr double kFewPoints = 500;
 
 studies::VariableValue number(double value) { return {std::to_string(value), value}; }
 
-/// Two points along a path, whose hash is 1.
+/// A study with one item, whose hash is 1: two points along a path.
 studies::Study small_study() {
   studies::Study study;
   study.name = "small", study.scene = "scene.toml";

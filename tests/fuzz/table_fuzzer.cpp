@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tries random tables of a plugin: each input gives the numbers, words and null pointers in them. Pointers
-// are valid or null, because wild pointers end only the trial process, not this one.
+// are valid or null: wild pointers would end this process, whereas the program tries plugins in a process of
+// their own.
 #include "framework/parameters/parameter_values.hpp"
 #include "framework/registry/descriptors.hpp"
 #include "tests/fuzz/choices.hpp"
@@ -36,8 +37,8 @@ class Tables {
   }
 
  private:
-  /// Usually the size of a row in this version; otherwise that of another version, or a random one that is
-  /// not longer than the memory.
+  /// In seven of eight cases, the size of a row in this version; otherwise a random size up to it, as of an
+  /// older version.
   std::uint32_t row_size(std::size_t size) {
     return source_.in<int>(0, 7) ? static_cast<std::uint32_t>(size)
                                  : source_.in<std::uint32_t>(0, static_cast<std::uint32_t>(size));
@@ -65,8 +66,8 @@ class Tables {
     words.push_back(nullptr);
     return words.data();
   }
-  /// Rows, one after another. Sometimes their number is larger than a table may have; then no reader may read
-  /// them.
+  /// Consecutive rows. Sometimes there are none, and `count` is 1 or larger than a table may have: then no
+  /// reader may read a row.
   template <class T, class Count>
   const T* rows(Count& count, void (Tables::*fill)(T&)) {
     const int n = source_.in<int>(-2, 3);

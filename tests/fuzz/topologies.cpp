@@ -63,7 +63,7 @@ Drawn draw(unsigned seed) {
   return drawn;
 }
 
-/// A message without the names and numbers of its plan; a list of names counts as one.
+/// The message with placeholders for names and numbers of the plan; a list of names has one placeholder.
 std::string kind_of(const std::string& message) {
   static const std::regex names("(port-|starboard-)?\\b[pqrtf][0-9]+(\\.[a-z0-9-]+)?( \\+ p[0-9.a-z-]+)*"),
       numbers("[+-]?[0-9]+(\\.[0-9]+)?"), lists("N and N(, N and N)+");

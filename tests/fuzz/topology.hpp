@@ -170,7 +170,7 @@ class TopologyDrawer {
     return text;
   }
 
-  /// Computes the numbers of meshes of the edges. Edges that the panel does not have are left out.
+  /// Lists the edges with their numbers of meshes. Names that are no edge of their panel are left out.
   void measure() {
     formats::Diagnostics silent;
     const gears::NetPlan plan = gears::read_plan_text(text_of_panels(false), "panels.toml", {}, silent);
@@ -191,7 +191,8 @@ class TopologyDrawer {
     return found.empty() ? nullptr : found[choices_.in<std::size_t>(0, found.size() - 1)];
   }
 
-  /// Prefers partners that exist as often as the edge, once or twice, because such edges fit most often.
+  /// Picks an edge to sew to `edge`, usually one that exists as many times as `edge` (once or twice), because
+  /// such edges fit most often.
   Edge* pick_partner(const Edge& edge, std::size_t before) {
     const bool any = rarely(5);
     Edge* like = pick_edge([&](const Edge& e) {
@@ -233,7 +234,7 @@ class TopologyDrawer {
       for (Edge* edge : *row) edge->is_sewn = true;
   }
 
-  /// Sews two edges in a row to one edge, or one to one.
+  /// Sews an edge of the panel to an edge of an earlier panel, or sometimes to a row of two edges.
   void sew_to_earlier(std::size_t panel) {
     Edge* own = pick_edge([&](const Edge& e) { return !e.is_sewn && e.panel == panel; });
     Edge* other = own ? pick_partner(*own, panel) : nullptr;
@@ -263,7 +264,7 @@ class TopologyDrawer {
     rest_ += fmt::format("[[join]]\nedges = [\"{0}\", \"{0}\"]\n", edge->name);
   }
 
-  /// Hangs up to three edges on a rope, which may be tied to a corner, a point or another rope.
+  /// Adds a rope and hangs up to three edges on it. The rope may be tied to corners, points or other ropes.
   void hang() {
     const std::string name = "r" + std::to_string(ropes_.size());
     std::string hangings;
@@ -298,7 +299,7 @@ class TopologyDrawer {
     ropes_.push_back({name, stands});
   }
 
-  /// A point that exists once, to which the end of a rope in the middle can lead.
+  /// A point in the middle, which exists only once, for the end of a rope that stands in the middle.
   std::string middle_end() {
     for (const auto& panel : panels_)
       if (panel.stands == "middle" && choices_.flag())
@@ -306,7 +307,7 @@ class TopologyDrawer {
     return add_point("middle");
   }
 
-  /// A point for the end of a rope that stands at this place.
+  /// A point for the end of a rope with this value of `stands`.
   std::string any_end(const std::string& stands) {
     static constexpr const char* kCorners[] = {".fore-outer", ".aft-outer", ".fore-inner", ".aft-inner"};
     const auto& panel = panels_[choices_.in<std::size_t>(0, panels_.size() - 1)];

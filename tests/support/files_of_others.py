@@ -95,7 +95,7 @@ def escapes_in_texts(f):
         dataset.attrs["unit"] = dataset.attrs["doc"] = ESCAPES
 
 
-# What each is refused for.
+# Files that refer to other files, and the reason for which the program refuses each of them.
 OUTSIDE = {
     "external-text": (external("../secret.txt"), r"/VTKHDF/Points has its numbers in another file, \.\./secret\.txt \(external storage\)"),
     "external-pipe": (external("../pipe"), r"/VTKHDF/Points has its numbers in another file, \.\./pipe \(external storage\)"),

@@ -45,7 +45,7 @@ inline std::vector<std::string> area_faults(const Gear& gear, const GearMesh& me
 
 using Side = std::pair<std::uint32_t, std::uint32_t>;
 
-/// The sides of all triangles, as two nodes of the gear in the direction of the triangle, and their numbers.
+/// How often each directed side, from one node of the gear to the next around a triangle, occurs in the mesh.
 inline std::map<Side, int> directed_sides(const GearMesh& mesh) {
   std::map<Side, int> sides;
   for (const auto& panel : mesh.panels)

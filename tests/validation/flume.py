@@ -25,9 +25,9 @@ ANGLE = (21.0, 22.4)  # [deg], all speeds
 UPPER_SPREAD, BELT, TONNE = 17.5, -20.0, 9806.65
 SCALED = ("2.0", "3.0", "4.0")
 RAISED = 0.8  # [m], the rig change, by which height went from 2.00 to 2.16 m and wing ends from 1.2 to 1.5 m
-# Differences that --check allows: relative, for the angle in degrees. For wing ends and the lower spread
-# these are the present differences, so that they gets no worse: they are wider than the 15 and 4 % that a
-# prediction ought to keep, and say nothing of its worth.
+# Differences that --check allows: relative, for the angle in degrees. For wing ends and the lower spread,
+# these limits are the present differences, so that the differences do not grow. They are wider than the 15
+# and 4 % that a prediction ought to keep, and say nothing about its worth.
 ALLOWED = {"height": 0.08, "height at 2.0": 0.12, "wing end": 0.25, "wing end at 2.0": 0.5, "lower spread": 0.06, "tension": 0.05,
            "angle": 1.5, "exponent": (1.48, 1.60)}
 

@@ -47,8 +47,8 @@ TEST(Body, HangsWithItsMassBelowItsEye) {
   }
 }
 
-/// A body of the weight W that hangs from an eye at a above its mass and rotates about y only, with a force F
-/// at h below its mass; returns the lateral distance of its mass from the eye.
+/// A body of weight W that hangs from an eye at the distance a above its mass and rotates about y only, with
+/// a force F at the distance h below its mass. Returns the lateral distance of the mass from the eye.
 double aside_by(double a, double h, double F, bool turns_with_it) {
   Sketch s = body_on_a_rope({0, 0, a}, {0, 0.2, 0}, {0, 0, -h});
   s.scene.bodies[0].held_rotation = kAxisX | kAxisZ;

@@ -178,8 +178,8 @@ std::vector<std::string> by_meshes(double meshes) {
   return {"parts.catch.catch={pressure=1614.375,meshes=" + std::to_string(meshes) + "}"};
 }
 
-/// The volume in the scene is rounded to six decimals of a cubic metre: 1e-7 of the volume, 1e-6 of 50
-/// meshes.
+/// The volume in the scene is rounded to six decimals of a cubic metre, 1e-7 of the volume, which moves the
+/// front by about 1e-6 meshes.
 TEST_P(CodendWithCatch, FindsTheFrontOfTheVolumeThatFiftyMeshesHold) {
   const SolvedFile meshes = solve_codend(GetParam());
   const SolvedFile volume = solve_codend(GetParam(), by_volume(volume_of(meshes)));
@@ -209,8 +209,8 @@ TEST_P(CodendWithCatch, IsTheSameWithItsFrontGivenAsItWasFound) {
   EXPECT_LT(farthest(meshes, volume), 1e-6);
 }
 
-/// The netting behind a ring is a polyhedron: its volume by cones from a point of the axis, with the polygon
-/// of the front.
+/// The netting behind a ring of nodes, closed by the polygon of the front, is a polyhedron. Its volume is the
+/// sum of the cones over its triangles from the point of the axis at the front.
 TEST(CatchVolume, IsThatOfThePolyhedronBehindTheFront) {
   const SolvedFile s = solve_codend(kCodends[0]);
   const scenes::PartGeometry& p = s.part("codend");
@@ -243,7 +243,7 @@ TEST(CatchVolume, ThatDoesNotFitIsNotConverged) {
   EXPECT_NE(s.solved.solution.reason.find("may be too small for the volume"), std::string::npos);
 }
 
-/// The widest ring: 2N bars of length l carry the pressure on the opening there,
+/// Tension of a bar at the widest ring, where 2N bars of length l bear the pressure on the cross-section,
 ///   2 N T cos α = p π R²,  sin α = π R/(N l),  l = a (1 + T/EA).
 double bar_tension(double R, double EA) {
   double T = 0;
@@ -317,11 +317,11 @@ double radius_at(const std::vector<Ring>& rings, double Ring::*coordinate, doubl
   return a.r + (b.r - a.r) * (at - a.*coordinate) / (b.*coordinate - a.*coordinate);
 }
 
-/// Two measures of the error. Shape: the the radius of the tube at the depth of an exact ring. Mesh: the
-/// radius of the ring that is as many meshes behind the upper one, which is slightly too high if cells
-/// alternate: one triangle of a cell touches the wider ring, the other the narrower one, and across a facet
-/// one direction of twines is longer than the other; the longer twines bear the load, and the cell is too
-/// short (README.md).
+/// Two measures of the error at each exact ring. Shape: the radius of the tube at the depth of the exact
+/// ring. Mesh: the radius of the ring of nodes as many meshes behind the upper ring. If cells alternate, this
+/// ring of nodes is slightly too high: one triangle of a cell touches the wider ring, the other the narrower
+/// one, and across a facet one direction of twines is longer than the other; the longer twines bear the load,
+/// and the cell is too short (README.md).
 struct Tube {
   int round, along;
   const char* division;

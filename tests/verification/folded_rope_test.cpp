@@ -86,7 +86,7 @@ double furthest(const std::vector<std::string>& overrides, const HungBars& bars)
 
 constexpr Real kRopeWeight = (3000.0L - 1025.0L) * 9.81L * std::numbers::pi_v<Real> * 0.01L * 0.01L;  // [N/m]
 
-// An odd number would leave a middle bar that is longer than the distance between the ends.
+// An odd number of bars would leave a middle bar that is longer than the distance between the ends.
 const std::vector<std::string> kFolded = {"parts.rope.sketch=[[0,0,0],[0.001,0,0]]"};
 
 HungBars folded(int bars) { return {bars, 100, 0.001L, kRopeWeight, 1e6L, {}, {}}; }
@@ -104,8 +104,8 @@ TEST(FoldedRope, HangsToTheLastDigitsByNewtonAlone) {
   EXPECT_LT(furthest(alone, folded(4000)), 1e-10);
 }
 
-// The rope is 110 000 times stiffer. Rounding of positions then changes forces by 0.06 and 6 N; no solver can
-// reduce the residual below this without the low-order part of the positions.
+// Rounding of positions changes forces by 0.06 N for EA = 1e10 N, and by 6 N for 1e12 N; no solver can reduce
+// the residual below this without the low-order part of the positions.
 TEST(FoldedRope, StiffItIsNoFurtherOff) {
   for (const Real EA : {1e10L, 1e12L})
     for (const int n : {67, 4000})

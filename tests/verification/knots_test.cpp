@@ -2,8 +2,8 @@
 //
 // The hanging panel of the paper's fig. 6a from a net plan in which every knot is a node, compared with the
 // same net modelled twine by twine, as solved by an independent program (lumped_test.cpp). Twines and knots
-// are the same; only the weights at the edges differ, of which a triangle gives a third to each corner and a
-// bar half to each end.
+// are the same; only the weights at the edges differ: a triangle puts a third of its weight on each corner,
+// and a bar half of its weight on each end.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A converged solution has the reactions that the load requires, however stiff the gear is and however far it
-// is from the origin: forces come from differences of positions, and if the rounding of these exceeds the
-// load, no residual proves convergence. Both vary over ten decades, with each solver and the default
-// strategy.
+// is from the origin: forces come from differences of positions, and if their rounding errors exceed the
+// load, no residual proves convergence. Stiffness and distance vary over ten decades, with each solver and
+// the default strategy.
 #include "tests/unit/framework/assembler/sketch.hpp"
 #include "tests/verification/solving.hpp"
 
@@ -54,8 +54,8 @@ Known pulled_rope(double EA) {
   return {s.scene, {{chain[0], {-0.6 * kLoad, 0, 0.8 * kLoad}}}};
 }
 
-/// Depth of the joint of two bars of 4 m and stiffness EA between supports 6 m apart under the load: the zero
-/// of a function that grows, by bisection.
+/// Depth of the joint of two bars of 4 m and stiffness EA between supports 6 m apart under the load: found by
+/// bisection, as the root of an increasing function.
 double depth_of_truss(double EA) {
   double lo = 0, hi = 1e6;
   for (int i = 0; i < 200; ++i) {

@@ -59,8 +59,8 @@ TEST(CatenaryOnSeabed, PullsAsOnARigidBed) {
   EXPECT_LT(relative(pull_at(s, "wire", "start"), 8655.4), 3e-5);
 }
 
-// A soft bed is indented by √(2 ε w/k) or ε/2 + w/k: the error decreases with the stiffness until only that
-// of straight bars remains, here 3e-6.
+// A soft bed is indented by √(2 ε w/k) or ε/2 + w/k: the error decreases with growing stiffness until only
+// the error of straight bars remains, here 3e-6.
 TEST(CatenaryOnSeabed, ApproachesTheRigidBedAsItsStiffnessGrows) {
   const double exact = top_tension_on_rigid_bed();
   double before = 1;

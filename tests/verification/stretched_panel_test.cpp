@@ -28,7 +28,7 @@ struct Stretching {
   double opening_stiffness;  // [N m/rad]
 };
 
-// By another convention, H is half of ours.
+// The second reference follows another convention, in which H is half as large.
 const Stretching kStretchings[] = {
     {"AsPublished", "stretched-panel.txt", 0.001},
     {"WithHalfTheCouple", "stretched-panel-half-couple.txt", 0.0005},
@@ -175,7 +175,8 @@ Scene scene_at(int n, const Solved& shape, const Level* held = nullptr) {
   return scene;
 }
 
-/// Largest force on the held nodes of the reference, without those that the panel holds, too [N].
+/// Largest force that holds a node of the reference in place, without the nodes that the scene itself holds
+/// [N].
 double force_to_hold(const Solved& s, const Level& level) {
   double most = 0;
   for (const auto& given : level.nodes) {
@@ -186,7 +187,8 @@ double force_to_hold(const Solved& s, const Level& level) {
   return most;
 }
 
-/// The equilibrium of the reference: its nodes are held there, and all other nodes are in balance.
+/// The equilibrium of the reference: nodes with a reference position are held there, and all other nodes are
+/// in balance.
 Solved reference_shape(int n, const Level& level) {
   return solve_loaded(load_panel(0, n), scene_at(n, solve_without_opening(n), &level));
 }

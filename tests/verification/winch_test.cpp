@@ -135,8 +135,8 @@ std::unique_ptr<runs::PreparedScene> heaving(const Winch& winch, const std::vect
   return open_with("tests/bench/motions/heave.toml", all, winch, true);
 }
 
-/// The winch compensates the motion of the ship: T = T* + B w/v_max with w of the block, and the length of
-/// the line is the distance from the bed to the block at that tension.
+/// The winch compensates the motion of the ship: T = T* + B w/v_max with the velocity w of the block, and the
+/// length of the line is the distance from the bed to the block at that tension.
 TEST(Winches, GiveAndTakeWhatAShipHeaves) {
   const double wanted = 2000, max_speed = 3, band = 300, EA = 424e3;
   const auto c = heaving(holding(29.86, {{0, wanted}}, max_speed, band), {"analysis.accuracy=1e-3"});
@@ -174,8 +174,8 @@ TEST(Winches, GoOnToTheSameBits) {
   EXPECT_EQ(rest.moments.back().tension, all.moments.back().tension);
 }
 
-/// Lengths in time have corners where a winch starts and stops: steps end there, and errors fall with
-/// accuracy.
+/// Tables of a length over time have corners where a winch starts and stops. Steps must end there, and errors
+/// must fall as the required accuracy increases.
 TEST(TablesInTime, HaveCornersAtWhichStepsEnd) {
   std::vector<std::vector<double>> ends;
   for (const char* accuracy : {"1e-1", "1e-2", "1e-3", "1e-5"}) {

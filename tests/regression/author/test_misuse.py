@@ -35,7 +35,7 @@ TILE = """\
     }
   };
 """
-# f = k w_z² w is a force along the bar, but not the gradient of an energy.
+# f = k w_z² w is a force along the bar, but it has no potential.
 ASYMMETRIC = """\
       out = {};
       const double g = p.k * w.z * w.z;

@@ -248,8 +248,8 @@ def pulled(metres):
         '"12 m"', '"5 m"').replace("1500", "1025")
 
 
-# For each limit, a number just inside it, without a warning, and one just outside it; both are within a tenth
-# of the limit.
+# For each limit, a value just inside it, which gives no warning, and a value just outside it, which gives
+# one; both are within 10 % of the limit.
 LIMITS = [
     ("lightest water", water("density = 910"), water("density = 890"), r"water.density = 890"),
     ("heaviest water", water("density = 1240"), water("density = 1260"), r"water.density = 1260"),

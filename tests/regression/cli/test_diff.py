@@ -35,8 +35,8 @@ class Differences(InFreshFolder):
                     self.assertEqual((row["before"], row["after"]), (f[at][()], g[at][()]))
                     self.assertAlmostEqual(row["difference"], row["after"] - row["before"])
                     self.assertAlmostEqual(row["percent"], 100 * row["difference"] / abs(row["before"]))
-        # The weight of the net in water grows with the difference between its density and that of the water;
-        # the hold bears it.
+        # The weight of the net in water is proportional to the difference of the densities of net and water;
+        # the hold bears this weight.
         self.assertAlmostEqual(rows["forces/weight/net/z"]["percent"], -100 * 600 / (2000 - 1025), places=6)
         self.assertEqual(rows["forces/weight/rope/z"]["difference"], 0)
         self.assertLess(rows["results/lowest_z"]["after"], rows["results/lowest_z"]["before"])

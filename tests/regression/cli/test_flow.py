@@ -92,7 +92,7 @@ class Flow(InFreshFolder):
         self.assertLess(a, 0.3)
         self.assertAlmostEqual(figures["mouth/water_speed"], 1.2 * (1 - a), delta=1e-9)
         self.assertAlmostEqual(figures["mouth/filtered"], figures["mouth/water_speed"] * figures["mouth/area"], delta=1e-6)
-        # The thrust of the mouth is the drag of the net; of all ropes, only the bridles do not count.
+        # The thrust of the mouth equals the drag of the gear without its bridles.
         drag = figures["drag/all/x"] - sum(value for name, value in figures.items() if "bridle/x" in name)
         thrust = 4 * a * (1 - a) * 0.5 * 1025 * 1.2**2 * figures["mouth/area"]
         self.assertAlmostEqual(thrust / drag, 1, delta=1e-4)

@@ -20,7 +20,8 @@ MODES = ["rounding", "subnormals", "traps"]
 BOUNDARY = [*ENDS, *ESCAPES, *MODES]  # what no function of a plugin may do
 STATUS = ["error", "no_status"]
 
-# For each function, a command that reaches it and further misdeeds that it can do.
+# For each function, the component that a command must use to reach it (see SCENES), and its misdeeds besides
+# those of BOUNDARY.
 FUNCTIONS = {
     "create": ("element", [*STATUS, "endless_words", "wild_fault"]),
     "term": ("element", [*STATUS, "endless_words", "wild_fault", "nan"]),
@@ -40,8 +41,8 @@ FUNCTIONS = {
 }
 TABLE = [(function, deed) for function, (_, own) in FUNCTIONS.items()
          for deed in ([] if function == "table" else BOUNDARY) + own] + [("solve", "jump"), ("run", "jump")]
-# Results that a component may return and the program judges: the message says that nothing was found, and
-# need not name the component, which the user named.
+# Misdeeds that are permitted results, which the program judges: its message says that nothing was found, and
+# need not name the component, because the user has chosen it.
 HONEST = {"term": ["nan"], "law": ["nan"], "solve": ["nan", "nulls", "lie", "endless_words"], "step": ["nan", "error", "endless_words"], "run": ["nothing", "wild_stage", "wild_solver"]}
 
 SCENES = {

@@ -3,7 +3,7 @@
 from program import changed
 from wrong_case import Wrong
 
-# A clump whose eye is joined to a rope, and another of its points to a second rope.
+# A clump that is joined to one rope at its eye and to a second rope at another point.
 HANGING = """\
 [parts.warp]
 type = "rope/bar"

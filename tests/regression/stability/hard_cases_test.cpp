@@ -26,9 +26,11 @@ std::string rows_where(const std::vector<Row>& rows, const Is& is) {
   return names;
 }
 
-/// Whether success is claimed without an equilibrium, away from the only one, or where a disturbance grows.
+/// Whether success was claimed although there is no equilibrium, the only equilibrium is elsewhere, or a
+/// disturbance grows.
 bool claims_wrong(const Cell& c) { return is_claimed_wrong(c.verdict.where); }
-/// Whether it was not examined if disturbances grow although forces have no energy, which the suite must do.
+/// Whether a converged result has an unknown stability. The suite must examine it also if forces have no
+/// potential.
 bool is_not_asked(const Cell& c) { return c.status == "converged" && c.stability == "unknown"; }
 bool is_not_set_up(const Cell& c) {
   return c.verdict.where == Where::not_run && c.expected != Expected::none;
@@ -58,7 +60,7 @@ TEST(HardCases, NewtonTellsTheTruthAboutAllOfThem) {
 }
 
 // Random cases are left out, because no stable shape of some cod-ends is known. A few nets that resist
-// compression are in equilibrium in many shapes, of which restarts need not find the lowest.
+// compression have many equilibria, and restarts need not find the one of least energy.
 constexpr std::size_t kMostMissed = 2;
 
 TEST(HardCases, AutoClaimsNothingWrongAndMissesAFewAtTheMost) {

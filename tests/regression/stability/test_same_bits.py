@@ -14,8 +14,8 @@ SOURCE = Path(os.environ["NETLOFT_SOURCE_DIR"])
 LIBRARY = SOURCE / "gear-library" / "scenes"
 HARD = SOURCE / "tests" / "stability" / "scenes"
 
-# Ropes and netting, with and without an energy, contact, friction, a catch, a net plan: all the features by
-# which strategies choose their attempts.
+# Ropes and netting, forces with and without a potential, contact, friction, a catch, a net plan: all the
+# features by which strategies choose their attempts.
 SCENES = (
     (LIBRARY / "hanging-rope.toml", ()),
     (LIBRARY / "dead-weight-panel.toml", ("parts.net.cells=[12,12]",)),

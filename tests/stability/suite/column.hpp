@@ -22,8 +22,8 @@ struct Column {
 /// Returns the column of a solver alone, such as "newton:method=classic".
 Column column_of(const std::string& solver);
 
-/// Adds `parts` to the attempts that the strategy auto leaves out, its parameter `without`. Columns of other
-/// strategies stay as they are.
+/// Adds `parts` to the parameter `without` of the strategy auto, the list of attempts that it leaves out.
+/// Columns of other strategies stay as they are.
 void leave_out(const std::vector<std::string>& parts, Column& column);
 
 /// Returns the name of the component in a specification: "newton" in "newton:method=classic".

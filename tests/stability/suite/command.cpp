@@ -53,8 +53,9 @@ std::vector<Column> wanted_columns(const Suite& suite, const SuiteOptions& o) {
 
 bool is_asked_for(const SuiteOptions& o) { return !o.solvers.empty() || !o.strategies.empty(); }
 
-/// Whether the components of a column exist. If they do not, or if the column cannot be understood, a column
-/// that an option names is a UsageError.
+/// Whether the components of a column exist. Throws UsageError if the column cannot be understood. If a
+/// component does not exist and the user has `asked_for` the column, the exception of the registry is passed
+/// on.
 bool is_there(const Column& column, Registry& registry, bool asked_for) {
   try {
     overrides_of(column);

@@ -40,8 +40,8 @@ Where judge_failure(const Ended& ended, Expected expected, bool has_reference) {
   return ended.solution.status == SolveStatus::unstable ? Where::unstable : Where::failed;
 }
 
-/// A solver that stops at its tolerance ends within kSameShape of the reference, which counts as `near`. A
-/// unique answer must be within kSamePlace.
+/// A result within kSameShape is at the reference. A unique answer must even be within kSamePlace: beyond it,
+/// as after a solve to a coarse tolerance, it is only `near`.
 Where judge_precision(const Verdict& v, Expected expected) {
   return expected == Expected::unique && v.distance > kSamePlace ? Where::near : Where::reference;
 }

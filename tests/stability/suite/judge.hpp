@@ -50,12 +50,12 @@ struct Verdict {
   double gap = 0;       // energy above the reference, scaled so that kSameEnergy is the noise
 };
 
-/// Relative limit for equal energies, and limits, as fractions of the gear's size, for equal shapes and for a
-/// unique answer.
+/// Limits for equal energies (relative difference), and for equal shapes and a unique answer (distance over
+/// the size of the gear).
 inline constexpr double kSameEnergy = 1e-9, kSameShape = 1e-5, kSamePlace = 1e-8;
 
-/// Energies that differ by less count as equal [J]: kSameEnergy of the energy, or of the work of the largest
-/// load across the gear, but at least the energy that rounding of the positions can change.
+/// The difference below which energies count as equal [J]: kSameEnergy times the energy, or times the work of
+/// the largest load across the gear, but at least the change of energy by rounding of the positions.
 double energy_noise(const Reference& reference, const Solution& solution);
 
 /// Data by which a solution is judged, independently of the claims of the solver.
@@ -64,7 +64,7 @@ struct Ended {
   std::vector<double> positions;  // of all nodes [m]
   std::size_t unknowns = 0;
   bool conservative = true;  // the energy decides which of two equilibria is better
-  /// Stability found by the suite: from the energy if forces have one, otherwise by the growth of a
+  /// Stability found by the suite: from the energy if forces have a potential, otherwise from the growth of a
   /// disturbance (framework/judging/growth.hpp), which is computed for every claim of success.
   Stability stability = Stability::unknown;
   bool out_of_budget = false;

@@ -22,7 +22,7 @@ struct KindTally {
 };
 std::vector<KindTally> tally_by_kind(const std::vector<Row>& rows);
 
-/// The matrix of cases and solvers, printed on a terminal, as JSON, or as a page.
+/// The title of a matrix of cases and solvers: the folder of the suite, and the seed of its random cases.
 struct MatrixTitle {
   std::string folder;
   std::uint64_t seed = 1;

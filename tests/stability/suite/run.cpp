@@ -40,7 +40,7 @@ struct Answers {
 constexpr const char* kFromTheSketch = " from the sketch";
 constexpr const char* kFromTheStart = " from the start of ";
 
-/// Returns "newton" of "newton from the sketch".
+/// Returns the solver that `found_by` names: "newton" in "newton from the sketch".
 std::string solver_of(const std::string& found_by) { return found_by.substr(0, found_by.find(" from the ")); }
 
 Stability find_stability(runs::PreparedScene& one, const Ended& e) {
@@ -147,8 +147,9 @@ class SuiteRun {
     return all.empty() ? "" : diagnostics.where(all[0].place) + ": " + all[0].message;
   }
 
-  /// Returns the known equilibrium, or the best of this run, which includes a solve from the sketch. For a
-  /// random case, further solvers start from the sketch until two have found a stable equilibrium.
+  /// Returns the known equilibrium; if there is none, the best of this run and of a solve by newton from the
+  /// sketch. For a random case, further solvers start from the sketch until two have found a stable
+  /// equilibrium.
   Answers find_answers(const HardCase& c, const std::string& size, const std::vector<Attempt>& attempts) {
     Answers all;
     if (c.expected == Expected::none) return all;
@@ -165,7 +166,8 @@ class SuiteRun {
     return all;
   }
 
-  /// Removes an old reference if no stable equilibrium was found and the reference proved to be unstable.
+  /// Replaces the reference of a case by the best stable equilibrium. If none was found, an old reference is
+  /// removed only if it proved to be unstable.
   void renew(const HardCase& c, const std::string& size, const Answers& all,
              const std::vector<Attempt>& attempts) {
     const auto old = references_.find(c.reference, size);

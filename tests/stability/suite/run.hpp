@@ -43,9 +43,9 @@ struct RunOptions {
   std::function<void(const Row&)> on_row;
 };
 
-/// Reads the chosen cases with the settings of each column until a case is accepted. Returns the diagnostics
-/// of the first column whose settings no case accepts, although a case is accepted without them; nothing if
-/// there is no such column. Its settings are wrong in general, and not only unsuitable for some gears.
+/// Looks for a column with which every chosen case is refused, although some case is accepted without the
+/// settings of the column: they are wrong in general, not only unsuitable for some gears. Returns the
+/// diagnostics of the first such column, or nothing if there is none.
 std::optional<formats::Diagnostics> refuse_settings(const Suite& suite, const std::vector<Column>& columns,
                                                     References& references, Registry& registry,
                                                     const RunOptions& options);

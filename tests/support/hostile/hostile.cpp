@@ -13,7 +13,8 @@ using namespace netloft;
 
 namespace {
 
-/// Loops for ever. If a tool has to interrupt it, it first prints a word.
+/// Loops for ever. With HOSTILE_TELLS in the environment, it first prints a line, so that a test can wait for
+/// it and then interrupt it.
 [[noreturn]] void loop_for_ever() {
   if (std::getenv("HOSTILE_TELLS")) std::fputs("hostile loops\n", stderr);
   for (volatile std::uint64_t i = 0;; i = i + 1) {

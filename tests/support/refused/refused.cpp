@@ -110,7 +110,7 @@ struct Array {
   alignas(8) char bytes[Count * Step];
 };
 
-/// The size of a struct in a newer or older interface. In the older one, the struct ended at `known`.
+/// The size that a struct has with this flaw: longer in a newer interface, `known` in an older one.
 constexpr std::size_t step_of(std::size_t size, std::size_t known) {
   return has(FLAW_longer) || has(FLAW_longer_and_newer) ? size + 24 : has(FLAW_older) ? known : size;
 }

@@ -4,8 +4,8 @@
 
 namespace netloft::wrong {
 
-/// A correct flow: it slows the water in its reach by the fraction a, for which EA a is the drag there. Each
-/// wrong flow has one flaw.
+/// A correct flow: the water in its reach loses the fraction a of its velocity, such that EA a equals the
+/// drag in the reach. Each wrong flow has one flaw.
 struct RightFlow {
   template <class T>
   static Vec3<T> water(const Vec3<T>& current, const T& a, double reach) {

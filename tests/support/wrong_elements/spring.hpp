@@ -36,13 +36,13 @@ struct Spring {
   double l, k, T = 0, energy = 0, geometric = 0;
 };
 
-/// Pulls both nodes by ±f.
+/// Adds −f to the force on the first node, and f to that on the second.
 inline void pull(Local<2>& out, const Vec3<double>& f) {
   out.force[0] -= f;
   out.force[1] += f;
 }
 
-/// Adds the blocks [ A -A; -A A ]; A(r, c) gives the entries.
+/// Adds `factor` times the blocks [ A -A; -A A ] to the tangent; A(r, c) returns an entry of A.
 template <class Block>
 void stiffen(Local<2>& out, double factor, Block&& A) {
   for (int r = 0; r < 6; ++r)
@@ -57,8 +57,8 @@ inline Status evaluate_spring(const Parameters& p, const Data& d, const State<2>
   return Status::ok;
 }
 
-/// Force and tangent of the linear law f = C w with the diagonal `force` of C, and the energy of the law with
-/// the diagonal `energy`.
+/// Evaluates a linear law f = C w with a diagonal C: force and tangent with the diagonal `force`, but the
+/// energy with the diagonal `energy`.
 inline Status evaluate_diagonal(const State<2>& s, Local<2>& out, const double (&energy)[3],
                                 const double (&force)[3]) {
   const Vec3<double> w = s.x[1] - s.x[0];

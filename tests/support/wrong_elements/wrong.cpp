@@ -93,7 +93,8 @@ struct ConvexNotPositive {  // gives the exact tangent, which is negative across
   }
 };
 
-/// A spring with its convex part; its metric is `Metric::of` times k I.
+/// A spring with a convex part, and with the metric of a spring of the stiffness k·`Metric::of(spring)` in
+/// all directions.
 template <class Metric>
 struct WithMetric {
   static Status tile(const Family<On<WithMetric>>& f, netloft_tile& t) {
@@ -164,8 +165,8 @@ struct SloppyEnergy {
 };
 
 struct SharedScratch {
-  /// Waits for the other thread if that thread called this function last, because it will then soon call
-  /// again, even on a busy machine.
+  /// If another thread called this function last, waits until a thread calls it again, so that threads
+  /// alternate even on a busy machine.
   static void let_another_write() {
     static std::atomic<std::thread::id> writer;
     const auto self = std::this_thread::get_id();

@@ -8,8 +8,8 @@ using namespace netloft;
 
 namespace {
 
-/// A plate and a mass, each at an arm from the origin; on the other side of a gear, y of both arms is
-/// reversed.
+/// A plate and a mass, each at an arm from the origin. On the other side of a gear, both arms have the
+/// opposite y.
 struct Board {
   static constexpr auto stencil = NETLOFT_BODY;
   struct Parameters {
@@ -92,7 +92,7 @@ struct DoubledMoment {
   }
 };
 
-/// The push, but its tangent lacks the effect of rotation.
+/// The push, but its tangent lacks the derivatives with respect to the rate of rotation.
 struct ForgetsSpin {
   static Status tile(const Family<On<ForgetsSpin>>& f, netloft_tile& t) {
     for (std::size_t lane = 0; lane < t.count; ++lane) {

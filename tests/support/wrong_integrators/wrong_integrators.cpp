@@ -58,7 +58,8 @@ struct Wrong {
     return step;
   }
 
-  /// Central differences, with forces at a predicted velocity, or with a flaw at that of the start.
+  /// Central differences, with forces at a predicted velocity; one flaw uses the velocity at the start
+  /// instead.
   static Step differ(Motion& m, double h) {
     auto predicted = m.scratch(0);
     for (std::size_t i = 0; i < m.size(); ++i) {

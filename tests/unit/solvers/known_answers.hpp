@@ -17,8 +17,9 @@ inline Solved solve_with(const std::string& solver, const Scene& scene, Values p
 }
 
 /// Two bars of 4 m with EA = 10 kN between supports 6 m apart; their joint, node 2, is pulled down with 4000
-/// N. By Pythagoras (3, 4, 5) it hangs at z = −4 m: both bars are 5 m long, have the tension 10 kN x 1/4, and
-/// carry 4/5 of it each. The joint starts above, away from the middle, with slack bars.
+/// N. By Pythagoras (3, 4, 5) it hangs at z = −4 m: each bar is 5 m long, has the tension 10 kN x 1/4, and
+/// bears 4/5 of this tension as vertical load. The joint starts above the supports and off the middle, with
+/// slack bars.
 inline Scene two_bar_truss() {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -32,8 +33,8 @@ inline Scene two_bar_truss() {
 inline constexpr double kJointOfTruss[] = {0, 0, -4};
 
 /// A bar of 1 m with EA = 100 N hangs from the origin; its end is pulled down with 50 N and pushed sideways
-/// by a force that turns with the bar. This force has no energy and an unsymmetric tangent. Without the push,
-/// the bar is 1.5 m long in equilibrium.
+/// by a force that turns with the bar. This force has no potential, and its tangent is unsymmetric. Without
+/// the push, the bar is 1.5 m long in equilibrium.
 inline Scene pushed_bar(double push) {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -57,7 +58,7 @@ inline Scene whirling_bar() {
 
 /// A bar of 1 m with EA = 100 N in tension and compression, nearly upright, with a load of 10 N at its top,
 /// which is `aside` to the side of its foot. In equilibrium it stands upright, 0.9 m long and unstable, or
-/// hangs, 1.1 m long. Its tangent is as unsymmetric as that of pushed_bar.
+/// hangs, 1.1 m long. The tangent is stored as an unsymmetric matrix, as for pushed_bar().
 inline Scene toppling_bar(double aside) {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -68,7 +69,7 @@ inline Scene toppling_bar(double aside) {
   return s.scene;
 }
 
-/// A bar that has no force beyond 1 m, between nodes 2 m apart.
+/// A bar between nodes 2 m apart, whose force is not defined beyond 1 m.
 inline Scene bar_without_forces() {
   Sketch s;
   const auto a = s.node(0, 0, 0, kAllAxes), b = s.node(2, 0, 0);

@@ -51,7 +51,7 @@ inline MarchResult end_of(const std::string& scene, const std::vector<std::strin
   return r;
 }
 
-/// The motion of four bars as stiff in compression as in tension, and a ball, after 0.5 s.
+/// The state after 0.5 s of a ball on four bars, which are as stiff in compression as in tension.
 inline MarchResult swing(const std::vector<std::string>& overrides) {
   std::vector<std::string> all = {"parts.rope.rope.EA=2000", "parts.rope.rope.EA_compression=2000",
                                   "analysis.duration=0.5",   "analysis.output_interval=0",

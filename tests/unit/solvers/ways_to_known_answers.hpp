@@ -44,7 +44,7 @@ class KnownAnswers : public testing::TestWithParam<Way> {
   }
 };
 
-/// Known answers with forces that have no energy, for solvers that need none.
+/// Known answers with forces that have no potential, for solvers that do not need one.
 class KnownAnswersWithoutEnergy : public KnownAnswers {};
 
 }  // namespace netloft::test

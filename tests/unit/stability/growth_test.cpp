@@ -12,8 +12,8 @@
 namespace netloft::hard_cases {
 namespace {
 
-/// Growth of disturbances at the point where the motion of a scene of the suite comes to rest, which need not
-/// be stable.
+/// Growth of disturbances at the equilibrium that is found for a scene of the suite, which need not be
+/// stable.
 double growth_of(const std::string& scene, const std::vector<std::string>& overrides, bool turned_over) {
   runs::PreparedScene one({test::source_folder() + "/" + scene, overrides, 1}, test::shipped_plugins());
   const auto turn_over = [&](scenes::LoadedScene& loaded) {

@@ -18,9 +18,9 @@ SKIPPED = 77
 FOLDER = os.environ.get("NETLOFT_FEMNET")
 NEWTONS = 1e-6
 GEARS = ("01_ring_flexion", "02_netting_panel", "05_pelagic_t1", "07_bottom_b1", "09_pelagic_s3")
-# The ring bends by unstretched lengths, so that FEMNET's ropes have a tension of 4.8e-5 N by bending alone.
-# In s3, forces due to round-off of its places, 2e-6 N in either program, moves its softest meshes by 7e-7 m,
-# which is 1.2e-5 N. [N]
+# In Netloft, bending depends on unstretched lengths, so that the ring differs by 4.8e-5 N, the tension that
+# FEMNET's ropes have by bending alone. In s3, forces of 2e-6 N in either program, due to round-off of
+# positions, move the softest meshes by 7e-7 m, which changes tensions by 1.2e-5 N. [N]
 DIFFERENT = {"01_ring_flexion": 5e-5, "09_pelagic_s3": 2e-5}
 # Gears with several equilibria, and by how much tensions in another equilibrium differ from FEMNET's. [N]
 SEVERAL = {"09_pelagic_s3": 6}

@@ -10,7 +10,7 @@ struct Modelling {
   /// true, as in FEMNET: above the surface there is no drag, and ropes have no buoyancy. false, as in
   /// Netloft: water is everywhere.
   bool surface = true;
-  /// Ropes bend by rope/bending, which has an energy, instead of FEMNET's law, which has none.
+  /// Ropes bend by rope/bending, which has a potential, instead of FEMNET's law, which has none.
   bool shipped_bending = false;
 };
 
@@ -18,7 +18,7 @@ struct Modelling {
 /// femnet adds forces that these lack. Nodes on a plane of symmetry bear half of their loads.
 Scene make_scene(const NeutralCase& gear, const Modelling& modelling = {});
 
-/// The same nodes elsewhere.
+/// Moves the nodes of the scene to these positions.
 void place_nodes(Scene& scene, const std::vector<Vector>& positions);
 
 }  // namespace netloft::real_gears

@@ -7,8 +7,8 @@
 
 namespace netloft::real_gears {
 
-/// Forces out of balance at nodes, computed as in FEMNET: fixed components are left out, and those on a plane
-/// of symmetry count for both sides.
+/// Forces out of balance at nodes, computed as in FEMNET: components along fixed axes are left out, and
+/// forces on a plane of symmetry count for both sides.
 struct OutOfBalance {
   double mean = 0;               // mean over all nodes of the norm [N]
   double largest_component = 0;  // [N]
@@ -41,7 +41,7 @@ Branches branches(const NeutralCase& gear, const std::vector<Vector>& positions)
 /// Largest tension of a twine or rope [N].
 double largest_tension(const NeutralCase& gear, const std::vector<Vector>& positions);
 
-/// Largest differences between FEMNET's forces and ours at the positions of its reference [N].
+/// Largest differences between FEMNET's forces and Netloft's, at the positions of FEMNET's answer [N].
 struct ForceDifference {
   double bars = 0, twines = 0, reactions = 0;
 };

@@ -34,8 +34,8 @@ double dry_drag_along_the_flow() {
   return specimen.evaluate(type.terms[0], s, NETLOFT_WANT_FORCE).force[0];
 }
 
-// The plugin shares the parameters of priour/triangle and declares only the diameter; by default of the
-// struct, a bar has one twine.
+// The plugin shares the parameters of priour/triangle and declares only the diameter. Other parameters have
+// the defaults of the struct: a bar has one twine.
 TEST(FemnetElements, DryNettingLosesItsDrag) { EXPECT_GT(dry_drag_along_the_flow(), 0); }
 
 INSTANTIATE_TEST_SUITE_P(Each, FemnetElement, testing::Values("dry_netting", "dry_bar", "node", "bend"),

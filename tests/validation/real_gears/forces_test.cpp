@@ -9,7 +9,7 @@
 namespace netloft::real_gears {
 namespace {
 
-/// A gear where FEMNET has it.
+/// A gear with its nodes at the positions of FEMNET's answer.
 struct Standing {
   Standing(const NeutralCase& gear, const Modelling& modelling)
       : scene(make_scene(gear, modelling)),

@@ -40,8 +40,8 @@ TEST_P(RealGear, ReturnsToFemnetsAnswerWhenPerturbed) {
     expect_arrival(gear_, solve(gear_, {}, {.at_reference = true, .noise = 1e-3, .seed = seed}, closely()));
 }
 
-/// Ropes bend by rope/bending, because FEMNET's moments have no energy that would lead to equilibrium from a
-/// distant start.
+/// Ropes bend by rope/bending, because FEMNET's moments have no potential, whose decrease would lead to
+/// equilibrium from a distant start.
 Modelling from_afar(const NeutralCase& gear) { return {.shipped_bending = !gear.bends.empty()}; }
 
 /// A full first step from the square in which the ring is drawn would fold the rope into an equilibrium of
@@ -54,7 +54,7 @@ test::Solving closely_from_afar(const NeutralCase& gear) {
 
 /// A gear may have several equilibria: a cod-end that floats in the water may be folded or not. Another
 /// answer must be an equilibrium, too: it must return after a perturbation, be held by nearly the same
-/// forces, and, if every force has an energy, have no more energy.
+/// forces, and, if all forces have a potential, have no more energy.
 void expect_another_answer(const NeutralCase& gear, const SolvedGear& s) {
   NeutralCase found = gear;
   found.reference.positions = s.positions;

@@ -19,7 +19,7 @@ enum Node : std::uint32_t { kAnchor, kUpper, kLower, kTail, kOrigin };
 constexpr std::array<double, 3> kToUpper{0.3, 0, 0.4}, kToLower{-0.2, 0, -0.6};
 
 /// A rigid link at the end of a rope of one bar. A heavy rope of one bar hangs from the other end of the
-/// link. All are tilted at the start.
+/// link. Ropes and link are tilted at the start.
 Scene link_on_a_rope() {
   Scene scene = sample::hanging_rope(1);
   scene.positions = {0, 0, 0, 0.3, 0, -1, -0.2, 0, -2, 0.5, 0, -2.7, 0, 0, -1.4};

@@ -15,7 +15,7 @@ Scene bars(const char* type) {
   return s.scene;
 }
 
-/// One bar from (0, 0, 0) to (1, 2, 4) whose terms are called separately for each kind.
+/// One bar from (0, 0, 0) to (1, 2, 4) whose terms with and without a potential are called separately.
 struct Bar {
   explicit Bar(const char* type)
       : scene(bars(type)),

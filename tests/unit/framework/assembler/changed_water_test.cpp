@@ -13,8 +13,9 @@ namespace {
 
 constexpr double kSpeed = 1.5, kDensity = 1025;
 
-/// A frame of 4 m by 2 m across the current is the rim of a mouth of 8 m². Behind it are 100 bars of rope
-/// (more than one tile) in reach of the flow, and ahead of it one bar out of reach, whose drag counts too.
+/// A frame of 4 m by 2 m across the current is the rim of a mouth of 8 m². Behind the frame, in reach of the
+/// flow, are 100 bars of rope (more than one tile); ahead of it, out of reach, is one bar, whose drag counts
+/// too.
 Scene bag_in_current(const std::vector<Current::Sample>& current = {{0, {kSpeed, 0.2, 0}}}) {
   Sketch s;
   s.scene.current.samples = current;
@@ -41,7 +42,7 @@ std::size_t induction(const Assembled& a) {
   return a.assembler.numbering().dof(a.assembler.families()[0]->global_nodes()[0].node, 0).at();
 }
 
-/// Drag along the current of all bars [N].
+/// The drag of all bars together along the current [N].
 double drag(Assembled& a, const std::vector<double>& x) {
   const auto residual =
       a.assembler.reports().sum_terms(x, [](std::uint32_t t) { return (t & NETLOFT_IS_DRAG) != 0; });

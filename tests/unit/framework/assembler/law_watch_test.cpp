@@ -43,8 +43,8 @@ ParameterBlock block_of(const LawType& law, const Values& values = {}) {
   return block;
 }
 
-/// Two screens of 3 and 1 m² with a solidity of 0.2 and 0.4, in a flow of 1 m/s at 30° and at a right angle
-/// to the screen.
+/// Two screens in a flow of 1 m/s: one of 3 m² with the solidity 0.2, at 30° to the flow, and one of 1 m²
+/// with the solidity 0.4, at a right angle to it.
 struct Two {
   Two() {
     lanes.flow[0][0] = lanes.flow[0][1] = 1;

@@ -58,8 +58,8 @@ TEST(Pattern, HoldsTheLowerTriangleOfNeighbours) {
   const SparsePattern& p = scene.assembler.pattern();
   EXPECT_TRUE(p.symmetric);
   EXPECT_EQ(p.size, 9);
-  // Lower entries: b has 6 of its own and 9 with c, c has the same with d, and d has its own. There are none
-  // between b and d.
+  // Entries of the lower triangle: 6 of b and 9 of b with c, 6 of c and 9 of c with d, 6 of d. There are none
+  // of b with d.
   EXPECT_EQ(p.entries(), 15u + 15u + 6u);
   EXPECT_EQ(p.column_start.back(), 36);
   for (std::int32_t column = 0; column < p.size; ++column) {

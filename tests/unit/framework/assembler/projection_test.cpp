@@ -36,7 +36,8 @@ TEST(ProjectConvex, MakesNothingOfANegativeMatrix) {
   for (const double v : k) EXPECT_NEAR(v, 0, 1e-15);
 }
 
-/// Tangents of two elements of a tile, of which the second has these entries, and zeros for the sum.
+/// A tile of two elements, the second with these `entries` of its tangent, and the sum that add_bounds() adds
+/// to zeros.
 struct Bounds {
   Bounds(std::initializer_list<double> entries, bool symmetric)
       : tangent(entries.size() * NETLOFT_LANES), sum(3 * NETLOFT_LANES) {

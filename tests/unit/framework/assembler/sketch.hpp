@@ -8,7 +8,7 @@
 namespace netloft::test {
 
 /// The shipped plugins and the plugin "test", with elements whose behaviour no shipped element has:
-///   test/follower   bar; pushes sideways and turns with the bar: no energy, unsymmetric tangent
+///   test/follower   bar; pushes sideways and turns with the bar: no potential, unsymmetric tangent
 ///   test/spring     bar; quartic spring that implements only its energy
 ///   test/picky      bar; its force is not defined beyond a limit of its length
 ///   test/leash      node; pulls back along x to the position that it remembers

@@ -17,7 +17,7 @@ struct BarData {
   double rest_length = 0;
 };
 
-/// A force without an energy on the second node, with the residual f = k (w × e): w is the vector from the
+/// A force without a potential on the second node, with the residual f = k (w × e): w is the vector from the
 /// first node to the second, e = (1, 2, 3).
 struct Follower {
   static constexpr auto stencil = NETLOFT_BAR;
@@ -116,8 +116,8 @@ struct Load {
 };
 
 /// A residual f = k (x - a) along x, where a is the position at the last remembered step. It is not defined
-/// beyond x = 1000. If the ground moves past the node, it drags the node along with a force of k times its
-/// velocity.
+/// beyond x = 1000. Ground that moves past the node drags it along with a force of k times the velocity of
+/// the ground.
 struct Leash {
   static constexpr auto stencil = NETLOFT_NODE;
   struct Parameters {

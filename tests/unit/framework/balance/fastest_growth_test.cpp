@@ -31,8 +31,8 @@ Matrix random(unsigned seed) {
   return Eigen::Map<const Matrix>(numbers.data());
 }
 
-/// The motion M ÿ + C ẏ + (K₊ + N) y = 0. K₊ is a high stiffness along half of the directions. N, a millionth
-/// of it, and negative damping in C drive the motion.
+/// The motion M ÿ + C ẏ + (K₊ + N) y = 0. K₊ is a high stiffness along half of the directions. The motion is
+/// driven by N, a millionth of K₊, and by negative damping in C.
 struct Driven {
   Matrix M, C, convex, N;
 

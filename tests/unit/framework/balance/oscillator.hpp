@@ -48,7 +48,8 @@ struct Chosen {
   ParameterBlock block;
 };
 
-/// A plan of a scene in motion. If the integrator is called `by_means`, it uses the mean forces of its steps.
+/// The plan of a scene in motion, with mean forces over the steps for the integrator `by_means`, if it is not
+/// empty.
 inline ScenePlan plan_in_motion(const Scene& scene, const std::string& by_means) {
   ScenePlan plan =
       make_scene_plan(scene, shipped_plugins(), TangentChoice::symmetric, AnalysisKind::dynamics);

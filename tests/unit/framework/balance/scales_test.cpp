@@ -10,8 +10,8 @@
 namespace netloft::test {
 namespace {
 
-/// Two bars below a fixed top, whose nodes are 3 m and 2 m apart along z, of 0.5 kg/m in a vacuum. A load of
-/// `load` newtons acts at their end.
+/// Two bars of 0.5 kg/m in a vacuum, one below the other, which extend over 3 m and 2 m in height. The top is
+/// fixed, and a load of `load` newtons acts at the lower end.
 Assembled two_bars(double load, double gravity) {
   Sketch s;
   s.scene.water = {0, gravity};

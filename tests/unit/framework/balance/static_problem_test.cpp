@@ -111,7 +111,7 @@ struct MeanForceStep {
   StepProblem::Ends ends;
 };
 
-// The mean forces of a step have no energy, so that the gradient is zero.
+// The mean forces of a step have no potential, so that the gradient of the energy is zero.
 TEST(StaticProblem, EvaluatesMeanForcesAndTheirLackOfAGradientToTheBitOfTwoEvaluations) {
   Called c(hanging_chain().scene, {}, [](ScenePlan& plan) { use_mean_forces(plan, "test"); });
   for (std::size_t i = 0; i < c.p.unknowns; ++i) c.p.u[i] = 0.01 * static_cast<double>(i);
@@ -347,7 +347,7 @@ TEST(StaticProblem, JudgesAPointByItsOwnLoadsWhateverWasTriedInBetween) {
   EXPECT_EQ(c.problem.statistics().residuals, evaluations + 1) << "and done once";
 }
 
-// In the evaluation that fails, the bar already bears 4950 N when the other element is evaluated.
+// In the evaluation that fails, the bar bears 4950 N, and may be evaluated before the element `picky` fails.
 TEST(StaticProblem, JudgesAPointByItsOwnLoadsAfterAnEvaluationThatFailed) {
   Sketch s = pulled_bar(0);
   s.part("picky", "test/picky", {{"limit", 10.0}}, {0, 1}).data["rest_length"] = {1};
@@ -382,7 +382,7 @@ TEST(StaticProblem, TakesRoundOffOfThePositionsForBalance) {
   }
 }
 
-// 1e-12 m is below the resolution of a number near 1e6 m, and causes 1e-10 N.
+// A displacement of 1e-12 m is below the resolution of coordinates near 1e6 m, and causes a force of 1e-10 N.
 TEST(StaticProblem, KeepsTheDigitsThatPositionsHaveNoRoomFor) {
   Limits limits;
   limits.tolerance = 1e-14;

@@ -85,7 +85,7 @@ TEST(Correction, IsNotKnownWhereNothingIsBalanced) {
   EXPECT_TRUE(s.solution.correction.x.empty());
 }
 
-/// A quarter turn does not count as 1.57 m; the carried point moves by √2 r.
+/// A quarter turn counts as the distance √2 r that the carried point moves, not as 1.57 m.
 TEST(NodeDistance, CountsRotationsOfBodiesByWhatTheyMove) {
   Sketch s;
   const auto origin = s.node(0, 0, 0), carried = s.node(0.5, 0, 0);

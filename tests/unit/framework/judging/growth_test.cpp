@@ -73,8 +73,8 @@ TEST(GrowthOfMatrices, IsThatOfACirculatoryPair) {
   EXPECT_EQ(growth_of({2, -sine, cosine, sine}), 0) << "its symmetric part is positive";
 }
 
-// All eigenvalues are 1, but a disturbance that moves down the chain grows until it has left it, by 3^19.
-// (For a chain of 60, double precision cannot distinguish the growth of 3^59 from an instability.)
+// All eigenvalues are 1, but a disturbance grows by 3^19 as it moves down the chain, until it leaves the
+// chain. (For a chain of 60, double precision cannot distinguish the growth of 3^59 from an instability.)
 TEST(GrowthOfMatrices, PassesWhereEachFeedsTheNextOne) {
   EXPECT_LE(growth_of({20, -3, 1, 0}), kMarginalGrowth);
   EXPECT_GT(growth_of({20, -3, -0.1, 0}), kMarginalGrowth);
@@ -323,8 +323,8 @@ TEST(GrowthWithMass, IsThatOfAPendulum) {
   EXPECT_NEAR(swings.frequency, std::sqrt(25 - 0.075 * 0.075), 1e-8);
 }
 
-// One body is driven (negative damping), but less than the other is damped. Without masses, 0.1 s² − 1.8 s −
-// 3 = 0, so that a motion grows at the rate s = 19.5.
+// One body is driven (negative damping), but more weakly than its neighbour is damped. Without masses, 0.1 s²
+// − 1.8 s − 3 = 0, so that a motion grows at the rate s = 19.5.
 TEST(GrowthWithMass, SwingsNotWhereANeighbourDampsWhatDrivesIt) {
   const ThreeDiagonals K(2, -1, 2, -1);
   const std::vector<double> C{-0.1, 0, 0, 1}, unit{1, 0, 0, 1};
@@ -332,9 +332,9 @@ TEST(GrowthWithMass, SwingsNotWhereANeighbourDampsWhatDrivesIt) {
   EXPECT_EQ(growth_with(K, C, {0, 0, 0, 0}).verdict, GrowthVerdict::grows);
 }
 
-// A wire: masses of 1 with ω up to 2e4/s. Its end has so little mass that its rate is 2e6/s, and does not
-// affect the rest, so that the eigenvalues are those of the wire and of the end: all decay. For the σ that is
-// best for the end, the eigenvalues of the wire are close to each other.
+// A wire of masses of 1, with ω up to 2e4/s. The end has so little mass that it decays at the rate 2e6/s, and
+// it does not affect the other masses: the eigenvalues are those of the wire and of the end, and all decay.
+// For the σ that is best for the end, the eigenvalues of the wire are close to each other.
 TEST(GrowthWithMass, IsNoneOfAWireWhoseEndIsMuchFaster) {
   for (const std::int32_t size : {200, 600, 2000}) {
     ThreeDiagonals K(size, -1e8, 2e8, -1e8);
@@ -448,8 +448,8 @@ TEST(GrowthWithMass, IsFoundWhereverSomeEigenvalueGrows) {
   EXPECT_GT(decay, 10);
 }
 
-/// A float of 5 kg at the head of a spring along x, with a lateral force that depends on its rotation; it may
-/// move in x and y. For the spring, of length l and rest length 1:
+/// A float of 5 kg at the head of a spring along x, with a lateral force that turns with the spring; the
+/// float may move in x and y. For the spring, of length l and rest length 1:
 ///   K₁₁ = k (3 l² − 1)/2,   K₂₂ = k (l² − 1)/2,   K₁₂ = −K₂₁ = 3 push,   k = 1000 N/m
 struct FloatOnSpring {
   double squared = 0.55, push = 0, speed = 0;  // l² [m²], [N], [m/s] along x
@@ -507,16 +507,16 @@ TEST(Growth, IsToldInSeconds) {
   EXPECT_NEAR(g.frequency, std::abs(f.expected().imag()), 1e-3 * g.frequency);
 }
 
-// The float of the previous test, in still water: the rotation of the force drives an oscillation, whose
-// growth depends on a damping that does not exist.
+// The float of the previous test, in still water: the turning force drives an oscillation. Whether it grows
+// would depend on its damping, and still water has none.
 TEST(Growth, IsMarginalWhereWhatSwingsIsNotDamped) {
   const FloatOnSpring f{.push = 200};
   EXPECT_GT(f.expected().real(), 1);
   EXPECT_EQ(f.growth().verdict, GrowthVerdict::marginal);
 }
 
-// With a taut spring, K₁₁ and K₂₂ are positive. The rotating part of the force causes flutter, which a
-// sufficiently fast flow damps.
+// With a taut spring, K₁₁ and K₂₂ are positive. The turning force causes flutter, which a sufficiently fast
+// flow damps.
 TEST(Growth, IsFlutterThatFastWaterCalms) {
   FloatOnSpring f{.squared = 1.2, .push = 250};
   double calm = 0;
@@ -544,8 +544,8 @@ Scene float_on_rod(double z, std::array<double, 3> current, const std::string& d
   return s.scene;
 }
 
-/// Growth rate of the logarithm of the largest displacement along `mode`, in a motion that starts with 0.1 mm
-/// of it, from the first third of `duration` to the last.
+/// Growth rate of a motion that starts with 0.1 mm of `mode`: the increase of the logarithm of the largest
+/// displacement along `mode`, from the first third of `duration` to the last, divided by the time.
 double rate_of_motion(const Scene& scene, const std::vector<double>& u, const std::vector<double>& mode,
                       double duration) {
   Moving m(scene, "newton");

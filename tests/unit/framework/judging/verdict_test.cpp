@@ -63,7 +63,7 @@ TEST(Verdict, CallsWhatTheClassicMethodFindsThereUnstableToo) {
   EXPECT_EQ(s.solution.status, SolveStatus::unstable) << s.solution.reason;
 }
 
-/// A solver that moves the last unknown to this value, and reports that no step improves it.
+/// A solver that sets the last unknown to `given_up_at`, and reports that no step reduces the residual.
 double given_up_at = 0;
 SolverType quitter() {
   SolverType type;
@@ -195,7 +195,7 @@ TEST(Verdict, JudgesAPointThatNoSolverIsBehind) {
   EXPECT_EQ(found.stability, Stability::stable);
 }
 
-/// A solver that needs an energy, and must not be called without one.
+/// A solver that needs forces with a potential, and must not be called if they have none.
 bool was_called = false;
 SolverType wants_an_energy() {
   SolverType type;

@@ -78,8 +78,8 @@ TEST(HighestFrequency, HasTheShapeOfItsMode) {
     EXPECT_NEAR(pulled[i], mode.omega * mode.omega * chain.mass[i] * mode.shape[i], 1e-5 * mode.omega) << i;
 }
 
-/// The known mode is that of a stiff spring at one end, which has become soft; the stiff spring is now at the
-/// other end, and its mode is almost orthogonal to the known one.
+/// A stiff spring near one end has become soft, and one near the other end stiff. The known mode is that of
+/// the former, which is almost orthogonal to that of the latter.
 TEST(HighestFrequency, IsFoundWhereTheKnownModeHasNoPart) {
   Chain before(300), now(300);
   before.spring[20] = 4000;

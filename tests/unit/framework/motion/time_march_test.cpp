@@ -385,8 +385,8 @@ TEST(March, IsLostAtTheSameStepWhenItGoesOnFromAnOutput) {
   EXPECT_EQ(rest.reason, whole.reason);
 }
 
-/// At the end of a step, the spring and the inertia of the held mass are in balance; with the cubic between
-/// ends they are not.
+/// At the end of a step, spring force and inertia of the mass are in balance; on the cubic between two ends
+/// they are not.
 TEST(March, TellsForcesOfEndsOfStepsBetweenThem) {
   const Oscillator o;
   Moving m(o.scene());

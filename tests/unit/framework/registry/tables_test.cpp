@@ -25,7 +25,7 @@ netloft_plugin plugin() {
   return p;
 }
 
-/// What the plugin of a test offers. It is global because a C function must return it.
+/// The laws that the plugin of a test offers. The variable is global because a C function must return it.
 netloft_laws offered{};
 
 std::string refusal(const netloft_plugin& p) {

@@ -41,7 +41,7 @@ struct Members {
   }
   MemberTable table() const { return {sites, weights}; }
 
-  /// Calls visit(site, member) for all.
+  /// Calls visit(site, member) for all members of all sites.
   template <class Visit>
   void for_members(const Visit& visit) const {
     for (const MemberSite& s : sites)

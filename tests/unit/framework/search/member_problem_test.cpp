@@ -25,7 +25,8 @@ Scene netting_on_ropes() {
   return s.scene;
 }
 
-/// A scene as a problem of members, with their tensions by their own law at arbitrary displacements.
+/// A scene as a problem of members, at arbitrary displacements, with the tensions that the law of each member
+/// gives there.
 struct Taken {
   explicit Taken(Scene given)
       : assembled(std::move(given)),
@@ -71,7 +72,8 @@ TEST(MemberProblem, MakesTheForcesOfTheWholeSceneOfItsMembersAndTheRest) {
   EXPECT_LT(largest_difference(along, whole), 1e-12 * largest(whole));
 }
 
-/// Solves the system whose right-hand side is the product of the matrix with arbitrary numbers.
+/// Multiplies the tangent by arbitrary numbers, and expects that solving for the product gives these numbers
+/// again.
 void expect_inverse_of_tangent(Taken& taken) {
   netloft_members& m = taken.m;
   const auto K = taken.assembled.matrix(taken.positions(), MatrixKind::exact);

@@ -64,7 +64,7 @@ TEST(NamedComponent, IsRefusedWhereItLeadsBackToACaller) {
   EXPECT_NE(why("deflation", {{"deflation/deflation", by("coarse-to-fine")}}).find(itself),
             std::string::npos);
   EXPECT_NE(why("deflation:by=coarse-to-fine", {}).find(itself), std::string::npos);
-  // A value given by the user replaces that of the specification.
+  // A value given by the user replaces the value in the specification.
   EXPECT_NE(why("deflation:by=direct", {{"deflation/deflation", by("coarse-to-fine")}}).find(itself),
             std::string::npos);
   EXPECT_EQ(why("deflation:by=coarse-to-fine", {{"deflation/deflation", by("direct")}}), "");

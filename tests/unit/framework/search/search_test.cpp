@@ -220,7 +220,8 @@ TEST(ASearch, EndsAStageByItsOwnBudget) {
   });
 }
 
-// A strategy whose work was used up is called again; a strategy that found nothing is not.
+// Callers repeat a strategy that used up its work, but not one that found nothing, so that their endings must
+// differ.
 TEST(ASearch, TellsAStrategyThatFoundNothingFromOneThatWasCutOff) {
   search(compressed_bars(), [](Search& of) {
     const Stage nothing = of.call("coarse-to-fine", "", {.name = "there is no coarser mesh"}, of.start());
@@ -228,7 +229,7 @@ TEST(ASearch, TellsAStrategyThatFoundNothingFromOneThatWasCutOff) {
   });
 }
 
-/// The ending that a strategy reports after it has called another strategy, defined by the test.
+/// The ending that `strategy`, which a test defines, reports to the strategy that calls it.
 std::uint32_t ending_of_call(const Scene& scene, std::function<void(Search&)> strategy) {
   Registry& registry = shipped_plugins();
   const ScenePlan plan = make_scene_plan(scene, registry);

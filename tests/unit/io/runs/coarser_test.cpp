@@ -62,7 +62,8 @@ TEST(HalvedCells, LeaveAGearOfWhichANodeIsCalledByItsNumber) {
 }
 
 // The energy of an interpolated answer is that of the coarse mesh, except for the few fine triangles that a
-// coarse diagonal divides. In those, two twines become one straight mean, which is never longer.
+// coarse diagonal divides. In these triangles, the mean of two twines replaces both, and it is never longer
+// than they are on average.
 TEST(CarriedOver, StretchesNothingThatWasNotStretched) {
   auto coarse = opened(kPanel, {"parts.net.cells=[8,8]", "analysis.solver=newton"});
   auto fine = opened(kPanel, {"parts.net.cells=[16,16]"});

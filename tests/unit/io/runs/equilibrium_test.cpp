@@ -14,12 +14,12 @@
 namespace netloft::runs {
 namespace {
 
-// z of the middle node if the bars are straight [m]. Adding 0.25 m is exact in binary numbers, and so is the
-// displacement back.
+// z of the middle node if the bars are straight [m]. Adding and subtracting 0.25 m is exact in binary
+// numbers.
 constexpr double kStraight = -10;
 
-/// z of the middle node of pressed-bars.toml in equilibrium [m]. Its initial position is `sketch`, and the
-/// search begins at `start`, or there if that is empty.
+/// z of the middle node of pressed-bars.toml in equilibrium [m]. The node is at z = `sketch` in the scene.
+/// The search begins with the node at z = `start`, or at `sketch` if `start` is empty.
 double middle(double sketch, std::optional<double> start, const std::vector<std::string>& settings) {
   const std::string file = "tests/unit/io/runs/pressed-bars.toml";
   PreparedScene one({test::source_folder() + "/" + file, settings, 1}, test::shipped_plugins());

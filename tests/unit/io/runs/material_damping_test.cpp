@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Loss factors of materials: a mass on a rope, each of whose swings is exp(-π η) times the one before at 10
-// Hz.
+// Loss factors of materials: at 10 Hz, each swing of a mass on a rope is exp(-π η) times the swing before it.
 #include "io/runs/march.hpp"
 #include "io/runs/prepared_scene.hpp"
 #include "tests/folders.hpp"
@@ -18,7 +17,7 @@ namespace {
 // A weight of 10 kg on a rope of 10 m, released at the unstretched length of the rope.
 const std::string kBounce = test::source_folder() + "/io/program/templates/integrator/my_integrator.toml";
 
-// Gravity [m/s²]: so large that strains are far above that at which damping begins.
+// Gravity [m/s²]: so large that strains are far above the strain at which damping begins.
 constexpr double kGravity = 100;
 
 /// The changes that make the weight oscillate at f [Hz], and `more`.

@@ -40,8 +40,8 @@ inline double load_of_fold() {
   return load_of(std::sqrt(l * l - 1));
 }
 
-/// The height at a load between that of the fold and zero, by bisection between the fold and the height
-/// without load.
+/// The height under a load between zero and the load at the fold, by bisection between the height at the fold
+/// and the height without load.
 inline double height_at(double load) {
   double low = std::sqrt(std::pow(kL0, 2.0 / 3) - 1), high = 0.2;
   for (int i = 0; i < 60; ++i) (load_of(0.5 * (low + high)) < load ? low : high) = 0.5 * (low + high);

@@ -75,8 +75,8 @@ TEST(CatchPressure, CountsThePartOfATriangleBehindTheFront) {
   EXPECT_NEAR(fraction({0, 2, 2}, 1), 0.25, 1e-15);
 }
 
-// The fractions (2-1)/(2-1) and (2-1)/(4-1) of two sides are behind the front. They span a triangle whose
-// centroid is the mean of its corners.
+// The fractions (2-1)/(2-1) and (2-1)/(4-1) of two sides are behind the front. The triangle between these
+// parts of the sides has its centroid at the mean of its corners.
 TEST(CatchPressure, ActsInTheMiddleOfThePartBehindTheFront) {
   const std::array<double, 3> s{2, 4, 1};
   const State<4> state = somewhere(2);
@@ -214,7 +214,7 @@ TEST(CatchPressure, RefusesMoreMeshesThanThereAre) {
   EXPECT_THROW(Pressure::check_whole(p, whole), std::invalid_argument);
 }
 
-/// An octahedron, faces counter-clockwise seen from outside, deformed.
+/// A deformed octahedron, whose faces are counter-clockwise as seen from outside.
 struct Closed {
   std::vector<Vec3<double>> x{{1, 0, 0},  {-1.2, 0.1, 0}, {0, 0.9, 0.2},
                               {0, -1, 0}, {0.1, 0, 1.1},  {0, 0, -1}};
@@ -244,7 +244,7 @@ TEST(CatchVolume, IsThatOfAClosedSurfaceAlongEveryAxis) {
   }
 }
 
-/// A pyramid with an open base of 4 m², the front, and a height of 3 m; it is pitched and displaced.
+/// A pitched and displaced pyramid of 3 m height. Its open base of 4 m² is at the front of the catch.
 TEST(CatchVolume, NeedsNoNettingAtTheFrontOfWhatIsTheSameOnBothSides) {
   const double c = std::cos(0.4), s = std::sin(0.4);
   Closed pyramid;

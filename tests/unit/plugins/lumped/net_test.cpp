@@ -21,7 +21,7 @@ const Net::Parameters kTwine{1e4, 1, 0.01, 2000, 30, 1, 0, 0.1};
 const Morison::Parameters kLaw{1.2, 0.08, 1};
 const std::vector<Net::Data> kBundles(kLanes, Net::Data{kLength, kTwines});
 
-/// Bars in any direction, with lengths between `least` and `most` times unstretched.
+/// Bars in any direction, with lengths between `least` and `most` times the unstretched length.
 void place_bars(TestTile<2>& tile, double least, double most) {
   std::mt19937_64 random(1);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {

@@ -229,7 +229,8 @@ std::pair<Eigen::MatrixXd, Eigen::MatrixXd> both_matrices(const Family<Triangle>
   return {matrix[0], matrix[1]};
 }
 
-/// The convex part, and its difference from the tangent, must be positive semi-definite, and not much larger.
+/// The convex part and its excess over the tangent must be positive semi-definite, and the convex part must
+/// not be much larger than the tangent.
 template <class Term>
 void expect_convex_part(const Triangle::Parameters& p, double lo, double hi) {
   const auto data = panels();

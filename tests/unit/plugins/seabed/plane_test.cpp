@@ -153,7 +153,7 @@ TEST(SeabedFriction, HoldsALoadForEverOnceItSticks) {
   EXPECT_EQ(n.state[0], 0) << "what sticks does not creep";
 }
 
-/// The same node on a bed that moves with (1.2, −0.5) m/s.
+/// The node of OneNode on a bed that moves with (1.2, −0.5) m/s.
 struct OnPassingBed : OneNode {
   OnPassingBed() { inputs[detail::kGroundPlace] = &passing, t.v = v; }
   double ground[3] = {1.2, -0.5, 0};

@@ -12,7 +12,8 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 
-/// A child front with 11 others, the first five of which are pivots of a parent with 8 pivots and 9 others.
+/// A child front with 11 unknowns that are not its pivots. The first five of these are pivots of the parent,
+/// which has 8 pivots and 9 further unknowns.
 struct Adoption {
   static constexpr int kOthers = 11;
   const std::vector<UnknownRun> runs{{0, 1, 1}, {1, 4, 4}, {5, 8, 3}, {8, 13, 2}, {10, 16, 1}};

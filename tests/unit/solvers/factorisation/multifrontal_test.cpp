@@ -159,7 +159,7 @@ TEST_F(Multifrontal, SolvesAPatternThatIsNotSymmetric) {
   EXPECT_LT(error_of_solving(*make(), matrix), kRoundOff);
 }
 
-/// Multiplies the diagonal blocks of a matrix, the stiffness of each node by itself, by a factor.
+/// Multiplies the diagonal blocks of a matrix, one block per node, by `factor`.
 TestMatrix with_own_blocks(TestMatrix matrix, double factor) {
   for (std::int32_t c = 0; c < matrix.pattern.size; ++c)
     for (std::int32_t e = matrix.pattern.column_start[c]; e < matrix.pattern.column_start[c + 1]; ++e)

@@ -122,8 +122,8 @@ TEST(Supernodes, HoldTheColumnsOfTheElimination) {
   EXPECT_GT(merged, 1000u);
 }
 
-// A path is eliminated from both ends: its columns have two entries each, and two columns are always merged,
-// because that adds no zeros.
+// A path is eliminated from one end to the other: every column but the last has two entries. At least the
+// last two columns are merged, because that adds no zeros.
 TEST(Supernodes, MergeAFrontWithItsParentWhereThatCostsLittle) {
   NodeGraph dense{4, {0, 4, 7, 9, 10}, {0, 1, 2, 3, 1, 2, 3, 2, 3, 3}, {}, {}};
   EXPECT_EQ(Supernodes(dense, Indices{2, 0, 3, 1}).count(), 1u);

@@ -64,8 +64,8 @@ TEST(Auto, LeavesAnEquilibriumThatIsNotStable) {
   EXPECT_NEAR(f.away, std::sqrt(1 - 0.81), 1e-6) << "the bars buckle until nothing compresses them";
 }
 
-/// Adds a stretched bar between held ends, which stores so much energy that rounding hides the gain of every
-/// step.
+/// The scene also has a stretched bar between held ends, which stores so much energy that rounding hides the
+/// gain of every step.
 TEST(Auto, LeavesASaddleWhereEnergiesCanNoLongerBeToldApart) {
   constexpr double kShort = 1e-5;
   Sketch s;
@@ -217,8 +217,8 @@ TEST(Auto, LeavesAnUnstableEquilibriumOnceToEachSide) {
   EXPECT_EQ(left, 2) << stages_of(s);
 }
 
-// The second bar topples faster than the first, and then hangs: the remaining growth is slower. The first
-// bears compression only, so that it finds no stable place.
+// The second bar topples faster than the first and then hangs, so that the slower growth of the first bar
+// remains. The first bar bears compression only, and has no stable equilibrium.
 TEST(Auto, ReportsTheUnstableEquilibriumThatGrowsMostSlowly) {
   plugins();
   Scene scene = two_toppling_bars(20);

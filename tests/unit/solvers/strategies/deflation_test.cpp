@@ -41,9 +41,9 @@ TEST(Deflation, FindsTheArchThatHangsBesideTheOneThatStands) {
   EXPECT_NEAR(both.solution.shapes.others[0].energy, one.solution.energy, 1e-9);
 }
 
-// Midway between the ends there are three equilibria, the z of 2 EA (1/l₀ − 1/l) z = −P, l = (0.81 + z²)^½.
-// Beyond either end of the line there is one, where a bar of 0.1 m pushes as hard as the other, of 1.9 m,
-// pulls.
+// Midway between the ends there are three equilibria, the roots z of 2 EA (1/l₀ − 1/l) z = −P, l = (0.81 +
+// z²)^½. Beyond either end of the line there is one, where a bar of 0.1 m pushes as hard as the other, of 1.9
+// m, pulls.
 TEST(Deflation, MeetsEveryRootOnce) {
   const Solved s = deflate(arch(1), 30);
   EXPECT_EQ(s.solution.shapes.restarts + 1, 5) << "answers";

@@ -9,7 +9,7 @@ namespace netloft::femnet {
 ///   A = x_j − x_i,  B = x_k − x_j,  a = ‖A‖,  b = ‖B‖,  c = ‖x_k − x_i‖      (1)
 ///   F_i = (2 EI/abc) [A (A·B)/a² − B],  F_k = (2 EI/abc) [A − B (A·B)/b²]      (2)
 ///   F_j = −F_i − F_k                                                           (3)
-/// The forces are no gradient of an energy, unlike those of rope/bending. Source: FEMNET (D. Priour).
+/// The forces have no potential, unlike those of rope/bending. Source: FEMNET (D. Priour).
 struct Bend {
   static constexpr auto stencil = NETLOFT_BAR_PAIR;
   struct Parameters {

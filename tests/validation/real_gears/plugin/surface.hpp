@@ -10,7 +10,7 @@
 namespace netloft::femnet {
 
 /// Forces that FEMNET omits above the surface of the water, z = 0: (1) to (3) of plugins/common/surface.hpp,
-/// as elements beside shipped ones without a surface.
+/// as elements that are added to shipped elements, which know no surface.
 using surface::Cube;
 
 /// Equation (2) for netting: an element beside priour/triangle.

@@ -218,7 +218,7 @@ std::size_t changed_lines(const std::string& a, const std::string& b) {
 }
 
 // Random edits of the numbers of whole gears: each changes one line and keeps its comment, and all of them
-// can be back.
+// can be undone.
 TEST_F(Opened, KeepsEverythingElseInTwoHundredRandomEditsOfGears) {
   std::mt19937 dice(5);
   fs::copy(test::source_folder() + "/gear-library", "gears", fs::copy_options::recursive);

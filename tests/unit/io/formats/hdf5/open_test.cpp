@@ -65,7 +65,7 @@ TEST_F(Opening, RefusesVirtualDatasets) {
   EXPECT_TRUE(says(error, ": /x is made of datasets of other files (a virtual dataset); only data")) << error;
 }
 
-// HDF5 opens the sources of such a dataset to find how long it is.
+// HDF5 opens the source files of a virtual dataset of unlimited length to find its length.
 TEST_F(Opening, RefusesVirtualDatasetsOfUnlimitedLength) {
   const std::string error = error_after([&](hid_t file) {
     const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);

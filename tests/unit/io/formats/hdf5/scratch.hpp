@@ -91,7 +91,8 @@ class Companion {
   pid_t child_;
 };
 
-/// Makes HDF5 read its environment again, which it does only when it is opened; for child processes.
+/// Reopens HDF5 with this setting of file locking, because HDF5 reads its environment only when it is opened.
+/// Call it in child processes only.
 inline void restart_hdf5_with_locking(const char* setting) {
   setenv("HDF5_USE_FILE_LOCKING", setting, 1);
   H5close();

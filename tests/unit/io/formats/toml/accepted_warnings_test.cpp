@@ -53,7 +53,7 @@ TEST(AcceptedWarnings, AnEntryMeansOneWarning) {
             std::string::npos);
 }
 
-/// After an error, some warnings are missing.
+/// After an error, some warnings are missing, so that an entry without a warning may still be needed.
 TEST(AcceptedWarnings, AnEntryIsNotUselessAfterAnError) {
   Input in(kHeadline);
   in.diagnostics.error({0, 1, 1}, "something else is wrong");

@@ -37,7 +37,7 @@ TEST(Change, ReachesIntoTheTablesOfAnArray) {
   EXPECT_EQ(in.reader.tables("hold")[0].rows("at", {.unit = "m"}),
             (std::vector<std::vector<double>>{{1, 2, 7}}));
 }
-/// A document with `twine = "pe"`, in which twine.EA was set.
+/// A document with `twine = "pe"`, to which a change such as net.twine.EA=… was applied.
 Value with_overridden_part(const std::string& change, Diagnostics& diagnostics) {
   Value root = Document::parse("[net]\ntwine = \"pe\"\ntitle = \"pe\"\n", "net.toml", {}, diagnostics).root();
   apply(root, read_change(change), diagnostics, {{"rope", "twine"}, "part"});

@@ -40,7 +40,7 @@ TEST(GearLibrary, NettingNamesATwineThatIsThere) {
   }
 }
 
-/// A wrong digit in the library would give a stress that no such material can bear.
+/// A wrong digit in the library would give a stress that no material of this kind can bear.
 TEST(GearLibrary, BreakingStressesAreThoseOfTheirKind) {
   for (const auto& part : library().parts()) {
     if (!part.numbers.contains("breaking_load")) continue;

@@ -65,7 +65,7 @@ TEST(DivideAlike, GivesTheSameMeshOfTheSameGear) {
     }
 }
 
-// A panel with more meshes has the same triangles.
+// One panel gets more meshes, but the gear keeps its triangles.
 TEST(DivideAlike, KeepsTheTopologyOfAnotherGear) {
   std::string text = library_text("83-112-eastern.toml");
   const Fineness fineness{.nodes = 300, .size = 0, .finer = {}};

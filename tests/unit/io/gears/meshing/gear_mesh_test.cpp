@@ -214,8 +214,7 @@ TEST(GearMesh, RestLengthsAddUpToTheRopes) {
   });
 }
 
-/// Along an edge that is hung on a rope, the rope has the nodes of the edge in the same order, and the length
-/// given by the plan.
+/// A rope has the nodes of the edge that is hung on it, in the same order.
 TEST(GearMesh, RopesRunAlongTheNodesOfTheirEdges) {
   const auto all = divided(library_text("four-panel.toml"), Extent::whole, by_nodes(500));
   EXPECT_EQ(all.rope("headline").nodes, all.nodes("top", "fore"));
@@ -224,8 +223,8 @@ TEST(GearMesh, RopesRunAlongTheNodesOfTheirEdges) {
   EXPECT_EQ(all.rope("starboard-breast-line").nodes, breast);
 }
 
-/// Both wings take 36 ft and the bosom 11.9 ft of the rope, 83.9 ft in all; the missing length is divided
-/// among them.
+/// The edges of the two wings take 36 ft each and that of the bosom 11.9 ft, 83.9 ft in all. The rope is
+/// shorter, so that each edge gets its share of the length.
 TEST(GearMesh, RopesTakeTheSharesOfTheirEdges) {
   const auto all = divided(library_text("83-112-eastern.toml"), Extent::half, by_nodes(2000));
   const auto& rope = all.rope("headrope");
@@ -366,8 +365,8 @@ std::string join_of(const std::string& one, const std::string& other) {
   return "[[join]]\nedges = [" + one + ", " + other + "]\n";
 }
 
-/// Expects a mesh without holes. The mouth of the bag has the nodes of the panels of `row`, and the last of
-/// these panels reaches the middle below.
+/// Expects a mesh without holes. The nodes of the bag's mouth are the aft nodes of the panels in `row`, and
+/// the last panel of `row` reaches the middle of the lower side.
 void expect_ring(const std::string& plan, const std::vector<std::string>& row) {
   for (const Extent extent : {Extent::whole, Extent::half}) {
     SCOPED_TRACE(extent == Extent::half ? "half" : "whole");

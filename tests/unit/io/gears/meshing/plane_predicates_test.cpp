@@ -14,8 +14,8 @@ namespace {
 using Whole = boost::multiprecision::cpp_int;
 using WholePoint = std::array<std::int64_t, 2>;
 
-/// The determinants, computed in whole numbers of any length, for coordinates that are multiples of one power
-/// of two.
+/// Signs of the determinants, computed in integers of any length, for coordinates that are multiples of one
+/// power of two.
 int whole_turn(const WholePoint& a, const WholePoint& b, const WholePoint& c) {
   const Whole left = (Whole(a[0]) - c[0]) * (Whole(b[1]) - c[1]),
               right = (Whole(a[1]) - c[1]) * (Whole(b[0]) - c[0]);
@@ -125,7 +125,7 @@ TEST(PlanePredicates, AreExactForPointsNearOneCircle) {
   EXPECT_GT(*std::ranges::min_element(circles.times), 1000);
 }
 
-// Near and far points in one determinant have the longest sums.
+// Points near the origin and far from it in one determinant give the longest sums.
 TEST(PlanePredicates, AreExactForPointsOfVeryDifferentSize) {
   Draws draws;
   Signs turns, circles;

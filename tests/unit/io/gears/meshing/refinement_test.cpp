@@ -91,7 +91,7 @@ TEST(Refinement, EndsInASharpCorner) {
   EXPECT_LT(mesh.points().size(), 2 * border.size());
 }
 
-// Chew's bound needs no tuning: a square with a regular border has no angle below 20.7 degrees.
+// Triangles in a square with a regular border have no angle below 20.7 degrees, which is Chew's bound.
 TEST(Refinement, MakesGoodTrianglesWithinARegularBorder) {
   std::vector<PlanePoint> border;
   constexpr int kParts = 20;

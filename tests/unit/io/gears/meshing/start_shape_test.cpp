@@ -119,8 +119,8 @@ std::array<double, 4> extent_of_start(const std::string& pieces, Extent extent) 
   return box;
 }
 
-// Half the girth is 48 meshes, open by sin(pi/8) of 40 mm each, and is half an ellipse whose height is 0.4 of
-// its width: with Ramanujan's perimeter, the semi-axes are 0.319 m and 0.128 m.
+// Half the girth has 48 meshes, each sin(pi/8) of 40 mm wide. It is half the perimeter (by Ramanujan) of an
+// ellipse whose height is 0.4 of its width, so that the semi-axes are 0.319 m and 0.128 m.
 TEST(StartShape, OfATubeIsTheSameRingWhateverPiecesItIsSewnOf) {
   for (const char* pieces : {"one", "upper and lower", "two sides", "four pieces"}) {
     SCOPED_TRACE(pieces);

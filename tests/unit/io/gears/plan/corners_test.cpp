@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Panels that are defined by their corners, in meshes.
+// Panels defined by the panel coordinates of their corners [meshes].
 #include "tests/unit/io/gears/plan/divided.hpp"
 #include "tests/unit/io/gears/plan/plans.hpp"
 

@@ -41,7 +41,7 @@ TEST(CuttingRate, WhatIsNoRateIsNone) {
     EXPECT_FALSE(parse_rate(text)) << text;
 }
 
-/// Cutting 70 meshes deep at 5B1P is 20 cycles of 3.5 meshes, each 2.5 across.
+/// Cutting at 5B1P over a depth of 70 meshes takes 20 cycles, each 3.5 meshes deep and 2.5 meshes across.
 TEST(CuttingRate, AddsUpWholeCyclesExactly) {
   EXPECT_EQ(parse_rate("5B1P")->across(70), 50);
   EXPECT_EQ(parse_rate("5B1P")->deep(50), 70);

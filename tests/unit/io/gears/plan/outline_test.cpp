@@ -73,8 +73,8 @@ TEST(Outline, CornersOfASideOfSeveralCutsLieBetweenThem) {
   EXPECT_NE(std::find(corners.begin(), corners.end(), "breast-cut-aft"), corners.end());
 }
 
-/// Every change of counts and cuttings updates the stored outline, also if selvedges are gathered or rates
-/// that the check replaces.
+/// Every change of counts and cuttings updates the stored outline: gathered selvedges, and rates that the
+/// check replaces.
 TEST(Outline, IsStoredAsItIsDrawn) {
   const auto expect_drawn = [](const NetPlan& plan) {
     for (const auto& panel : plan.panels) EXPECT_TRUE(panel.outline == outline_of(panel)) << panel.name;
@@ -89,7 +89,8 @@ TEST(Outline, IsStoredAsItIsDrawn) {
   expect_drawn(mended.plan);
 }
 
-/// The bag is sewn to a cover. The seams gather three meshes on each side of both, so 14 of 20 remain.
+/// The bag is sewn to a cover. The seams gather three meshes on each side of bag and cover, so that 14 of
+/// their 20 meshes remain.
 std::string laced_plan() {
   return kGoodPlan + R"(
 [panels.cover]
@@ -115,7 +116,7 @@ TEST(Selvedge, TakesItsMeshesOfThePanel) {
   EXPECT_DOUBLE_EQ(edge(outline, "sides").to.x, 7);
 }
 
-/// Three meshes of double netting have 12 twines; 50 meshes of 80 mm are 4 m long.
+/// Three meshes have 6 twines, and 12 in double netting. The 50 meshes of 80 mm along the side are 4 m long.
 TEST(Selvedge, IsAStripOfItsTwines) {
   const auto checked = check_text(laced_plan());
   const Rope* rope = checked.plan.find_rope("cover-sides-selvedge");
@@ -159,21 +160,22 @@ Outline turned(const std::string& keys) {
   return outline_of(checked.plan.panels.front());
 }
 
-/// A mesh of diamond netting is two bars long in both directions; in square netting, counts are bars.
+/// A stretched mesh has two bars. In diamond and T90 netting, counts are meshes; in square netting, they are
+/// bars.
 TEST(Outline, SquareNettingIsHalfAsLongWhenStretched) {
   EXPECT_DOUBLE_EQ(edge(turned(""), "fore").stretched, 10);
   EXPECT_DOUBLE_EQ(edge(turned("orientation = \"t90\"\n"), "fore").stretched, 10);
   EXPECT_DOUBLE_EQ(edge(turned("orientation = \"square\"\n"), "fore").stretched, 5);
 }
 
-/// By hand: 1N2B goes 5 meshes across in 10 deep. These are 5 cycles of 2 bars and a point, which is two bars
-/// long: 20 bars, or 10 stretched meshes.
+/// Computed by hand: a cycle of 1N2B is 2 meshes deep and has 2 bars and a point, which is 2 bars long. The 5
+/// cycles over a depth of 10 meshes have 20 bars, the length of 10 stretched meshes.
 TEST(Outline, TwinesAlongACutAreThoseOfItsBarsAndPoints) {
   EXPECT_DOUBLE_EQ(edge(turned(""), "outer").stretched, 5 * (2 * 0.5 + 1));
 }
 
-/// Netting turned by 45° has its bars along the edges, so these are straight twines: 10 meshes of √2 bars are
-/// 10/√2 stretched meshes of two bars.
+/// Netting turned by 45° has straight rows of bars along its edges. Each of the 10 meshes of an edge holds √2
+/// bars, and a stretched mesh has two bars, so that the edge is 10/√2 stretched meshes long.
 TEST(Outline, NettingTurnedByAnEighthRunsAlongItsBars) {
   EXPECT_NEAR(edge(turned("angle = \"45 deg\"\n"), "fore").stretched, 10 / std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(edge(turned("angle = \"90 deg\"\n"), "fore").stretched, 10, 1e-12);
@@ -194,7 +196,7 @@ TEST(TwineCoordinates, OfDiamondTurnedByARightAngleAreThoseOfT90) {
   EXPECT_NEAR(turned[1], -t90[0], 1e-12);
 }
 
-/// A rotation keeps the length of bars, u² + v², and the number of knots, which is the area.
+/// A rotation does not change u² + v².
 TEST(TwineCoordinates, TurningIsARotation) {
   for (const char* orientation : {"diamond", "t90", "square"}) {
     const auto plain = twine_coordinates(orientation, 0, 2, 5),

@@ -25,8 +25,9 @@ TEST(TriedCures, AWrongAftCountIsCorrected) {
             "panels.body.aft = 20, or panels.body.fore[0].meshes = 22, or panels.body.fore[1].meshes = 31");
 }
 
-/// Each side cuts 25 meshes instead of 30: 35 deep at 5B1P, or 42 deep after 7 straight meshes. The aft count
-/// of 20 is not proposed, because the bag that is sewn to it has 30.
+/// Each side must cut 25 meshes instead of 30. At 5B1P, this takes a depth of 35 meshes: the whole side, or
+/// what 7 straight meshes leave of its 42. The aft count of 20 is not proposed, because the bag that is sewn
+/// to it has 30.
 TEST(TriedCures, ACutThatIsAWholeSideGetsAnotherDepthOrAStraightRun) {
   const std::string text = replaced(changed_plan("aft = 20\n", "aft = 30\n"), "fore = 20\n", "fore = 30\n");
   EXPECT_EQ(hint_of(check_text(text), "body.aft: the cuttings give 20 meshes"),

@@ -97,7 +97,7 @@ TEST(GearNetting, IsAsOpenAndAsLargeAsItIsSpread) {
   EXPECT_NEAR(value(gear, "panels/wall/filtered_area"), 1.2 * 1.6, 1e-12);
 }
 
-// 10 by 10 meshes have 2 knots each, with 2 bars per knot: 400 bars of 0.1 m.
+// Each of the 10 by 10 meshes has 2 knots, and each knot 2 bars: 400 bars of 0.1 m.
 TEST(GearNetting, HasTheTwineThatIsCounted) {
   const auto gear = HandMade(written(kNetting), {{"wall"}, {}, {}}).at_start();
   const double length = 400 * 0.1, section = std::numbers::pi / 4 * 0.002 * 0.002;
@@ -152,7 +152,8 @@ float = { buoyancy = -30 }
   EXPECT_NEAR(value(gear, "ropes/headline/mass"), std::numbers::pi / 4 * 0.02 * 0.02 * 6 * 2000, 1e-12);
 }
 
-// Two nodes of three bars of 2 m are in the bed: three of six bar ends touch it, which is half.
+// The footrope has three bars of 2 m, and two of its nodes are in the bed: three of six bar ends, which is
+// half, touch the bed.
 TEST(GearGround, IsTouchedByAShareOfTheFootrope) {
   const std::string bed =
       "[parts.bed]\ntype = \"seabed/plane\"\non = \"footrope\"\n"
@@ -191,8 +192,8 @@ HandMade small_trawl(const std::string& model) {
           parts};
 }
 
-/// Whether a figure must be equal for the half and the whole model. Not equal are sums over the port bridles,
-/// which the half model lacks, and forces across the gear.
+/// Whether a figure must be equal for the half and the whole model. Sums over the port bridles, which the
+/// half model lacks, and forces across the gear differ.
 bool is_comparable(const std::string& name) {
   for (const char* other : {"bridle", "/y", "others", "headline/tension_start", "footrope/tension_start"})
     if (name.find(other) != std::string::npos) return false;

@@ -23,7 +23,8 @@ struct Watched {
   std::string half_way;  // the checkpoint at the middle output
 };
 
-/// A motion by a scheme that damps fast modes, from an end pulled by `u`, or from a checkpoint.
+/// A motion by a scheme that damps fast modes. It starts with the end of the bar displaced by `u`, or from a
+/// checkpoint.
 Watched watched(double u, const Checkpoint* from = nullptr, bool check = false) {
   Moving m(heavy_bar());
   MarchSettings settings;

@@ -153,7 +153,7 @@ TEST(DividedGear, SewsPanelsWhereCornersLieNearOneAnother) {
   EXPECT_EQ(sewn.mesh.nodes.size() + 3, apart);
 }
 
-/// Two sides of one panel between the same two links make a tube.
+/// The links connect the corners of two sides of one panel, which thereby becomes a tube.
 TEST(DividedGear, SewsAPanelToItself) {
   GearFile gear = gear_of({panel_of({{0, 0}, {20, 0}, {20, 10}, {0, 10}}, 1)});
   gear.links = {{{true, 0, 0}, {true, 0, 1}}, {{true, 0, 3}, {true, 0, 2}}};

@@ -90,7 +90,7 @@ TEST_F(SceneOptimumTest, FindsThePriceOfASag) {
       << text;
 }
 
-// The nearest multiple of 0.1 m, 8.8 m, sags too much.
+// The optimum is nearest to 8.8 m, a multiple of 0.1 m at which the rope sags too much.
 TEST_F(SceneOptimumTest, RoundsToMultiplesThatSatisfyTheConstraints) {
   const SceneOptimum done = optimise(replaced(kRope, "start =", "step = \"10 cm\"\nstart ="));
   ASSERT_EQ(done.status(), "optimal") << done.found.reason;
@@ -168,8 +168,8 @@ TEST_F(SceneOptimumTest, LimitsTheForceOfAHold) {
   EXPECT_NEAR(4 * L / 100 + 2 * 4 * std::asinh(L / (2 * 4)), 8, 1e-5);
 }
 
-// A variable that several keys follow: if density and stiffness change in the same proportion, all tensions
-// change in that proportion, too (Euler's theorem), and the least allowed one is the best.
+// The variable changes stiffness and density in the same proportion. All tensions change in that proportion,
+// too (Euler's theorem), so that the least allowed value of the variable is the best.
 TEST_F(SceneOptimumTest, ChangesSeveralKeysTogether) {
   const SceneOptimum done = optimise(replaced(
       replaced(kRope.substr(0, kRope.find("[[constraints]]")), "\"parts.rope.length\"",

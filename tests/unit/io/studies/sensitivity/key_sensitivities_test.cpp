@@ -21,7 +21,7 @@ results::Result result_of(AtRest& at, const std::atomic<bool>* interrupt = nullp
   return result;
 }
 
-/// The largest effects of one percent among all numbers with derivatives, which are not sorted.
+/// The three largest effects on figure `f`, among all numbers with derivatives, of a change by one per cent.
 std::vector<double> largest_effects(const Sensitivities& found, std::size_t f) {
   std::vector<double> sizes;
   for (const NumberEffect& effect : found.effects)

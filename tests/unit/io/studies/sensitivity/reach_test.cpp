@@ -78,7 +78,8 @@ class ReachOfDerivatives : public formats::test::Scratch {
   struct Found : Sensitivities {
     double z = 0;  // of the third node
   };
-  /// The sketch is near the equilibrium: strategies may find another one, beyond the fold.
+  /// The solver continues from the sketch, which is near the equilibrium; strategies may find another
+  /// equilibrium beyond the fold.
   static constexpr int kIterations = 200;
   Found find(const char* scene, const std::vector<std::string>& changes, const std::string& number) {
     runs::PreparedScene one({write("s.toml", scene), changes, 1}, test::shipped_plugins());
@@ -97,7 +98,7 @@ class ReachOfDerivatives : public formats::test::Scratch {
                          const std::string& number) {
     return find(scene, changes, number).effects.at(0);
   }
-  /// The truss at a distance before its fold, as a fraction of the load there.
+  /// The truss under a load that is smaller than the load at its fold by the fraction `distance`.
   Found truss_at(double distance, const std::string& deviation = "") {
     const double load = (1 - distance) * load_of_fold();
     const Found found =
@@ -140,10 +141,7 @@ TEST_F(ReachOfDerivatives, EndsAtAFoldWithinADeviation) {
   EXPECT_NE(truss_at(0.08, "=" + load).effects.at(0).why_not, "");
 }
 
-// With the strain e = 8 m/L − 1, de/dL = −8 m/L²: to first order, the rope is slack when L has grown by L (8
-// m − L)/8 m, which is 0.469 m.
-// Of the lengths a millionth longer and shorter, the longer wire would be slack at the present position of
-// the weight.
+// A wire that is longer by a millionth would be slack at the present position of the weight.
 TEST_F(ReachOfDerivatives, IncludesAWireThatMovesInOrderToStayTaut) {
   const NumberEffect effect = effect_of(kStiffWire, {}, "parts.wire.length");
   ASSERT_EQ(effect.why_not, "");
@@ -151,6 +149,8 @@ TEST_F(ReachOfDerivatives, IncludesAWireThatMovesInOrderToStayTaut) {
   EXPECT_FALSE(effect.switches.any());
 }
 
+// With the strain e = 8 m/L − 1, de/dL = −8 m/L²: to first order, the rope is slack when L has grown by
+// L (8 m − L)/8 m, which is 0.469 m.
 TEST_F(ReachOfDerivatives, EndsWhereAStraightRopeBecomesSlack) {
   const std::map<std::string, std::size_t> all{{"rope", 4}};
   EXPECT_FALSE(effect_of(kStraight, {}, "parts.rope.length").switches.any());

@@ -42,8 +42,9 @@ TEST(Sensitivity, IsThatOfTheElasticCatenary) {
               1e-7);
 }
 
-// All forces of a rope in air are proportional to its stiffness and its density, so that tensions are
-// homogeneous functions of both of degree 1, and positions of degree 0 (Euler's theorem).
+// The forces of a rope in air grow in proportion if its stiffness and its density grow in the same
+// proportion. By Euler's theorem, tensions are homogeneous functions of the two of degree 1, and positions of
+// degree 0.
 TEST(Sensitivity, ObeysTheScalingOfForces) {
   AtRest rope("hanging-rope.toml", {"analysis.tolerance=1e-12"});
   const Sensitivities found = rope.to({"parts.rope.rope"});
@@ -59,8 +60,8 @@ TEST(Sensitivity, ObeysTheScalingOfForces) {
   EXPECT_NEAR(scaled("sag_z"), 0, 1e-12);
 }
 
-// Numbers of the flow, of shelter, of a rope and of a moving hold, compared with central differences of
-// equilibria.
+// Derivatives with respect to numbers of the flow, of shelter, of a rope and of a moving hold, compared with
+// central differences of equilibria.
 TEST(Sensitivity, IsTheChangeOfEquilibriaOfATrawl) {
   const std::vector<std::string> coarse{"gear.nodes=300", "analysis.tolerance=1e-10"};
   AtRest trawl("83-112-flume-3.0kn.toml", coarse);
@@ -83,8 +84,8 @@ TEST(Sensitivity, IsTheChangeOfEquilibriaOfATrawl) {
   }
 }
 
-// Counts, mesh sizes, take-ups and lengths of the net plan, compared with central differences of equilibria
-// on the same mesh topology.
+// Derivatives with respect to counts, mesh sizes, take-ups and lengths of the net plan, compared with central
+// differences of equilibria on the same mesh topology.
 TEST(Sensitivity, IsTheChangeOfEquilibriaForNumbersOfThePlan) {
   AtRest trawl("83-112-flume-3.0kn.toml", {"gear.nodes=300", "analysis.tolerance=1e-11"});
   const Sensitivities found = trawl.to({"panels.top-wing.depth", "panels.bottom-body.fore[0].meshes",
@@ -131,7 +132,8 @@ TEST(Sensitivity, LooksToOneSideAtAnEndOfARange) {
                 -derivative(found, figure, "parts.rope.rope.density"), 1e-7);
 }
 
-// A rope that is straight between its holds is about to become slack: taut on one side, slack on the other.
+// A rope that is straight between its holds is about to become slack: a shorter rope is taut, a longer rope
+// slack.
 TEST(Sensitivity, MarksAMemberThatIsAboutToBecomeSlack) {
   const std::vector<std::string> straight{"parts.rope.cells=4", "water.gravity=0",
                                           "parts.rope.sketch=[[-4, 0, 0], [4, 0, 0]]"};
@@ -169,7 +171,7 @@ TEST(SceneNumbers, OfAPartIncludeThoseOfTheCatalogue) {
   EXPECT_GT(std::abs(derivative(found, "drag/all/x", "elements.top-wing.twine.diameter")), 1e4);
 }
 
-// The sum of squares of the effects of two deviations, one of them in percent.
+// The variance is the sum of the squared effects of two deviations, one of them in per cent.
 TEST(Sensitivity, PropagatesStandardDeviations) {
   AtRest rope("hanging-rope.toml", {"analysis.tolerance=1e-12"});
   const Sensitivities found = rope.to({"parts.rope.length=2 cm", "parts.rope.rope.EA=10%", "water.density"});

@@ -107,9 +107,9 @@ TEST_F(BranchTest, HasTheTangentOfTheClosedForm) {
   const double z = here->assembler().node_positions(at.x)[3 * 1 + 2];
   EXPECT_NEAR(here->assembler().node_positions(*tangent)[3 * 1 + 2] / kLittle * slope_of(z), 1, 1e-5);
 }
-// A longer wire between the old positions of its ends is slack, and nothing holds it. The tangent moves the
-// end out with the length. Without it, steps would be halved until the wire stays taut, with ten times as
-// many factorisations.
+// A longer wire between the old positions of its ends is slack, and nothing holds its free end. The tangent
+// moves this end outwards as the length grows. Without the tangent, steps would be halved until the wire
+// stays taut, with ten times as many factorisations.
 TEST_F(BranchTest, LeadsAlongTheTangentWhereTheNextPointIsOnNoLine) {
   write("s.toml", kWire);
   variable_.name = "length", variable_.unit = "", variable_.keys = {{"parts.wire.length", 1, 0}};

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kShift = 1e-7;
 
-/// A problem with diagonal K and M, whose λ are the quotients K_ii/M_ii and whose v are the axes.
+/// A problem with diagonal K and M: its eigenvalues λ are the quotients K_ii/M_ii, and its eigenvectors v the
+/// axes.
 struct Diagonal {
   std::vector<double> stiffness, metric;
   netloft_problem interface {};

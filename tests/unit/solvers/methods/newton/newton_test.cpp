@@ -56,9 +56,9 @@ TEST(Newton, StaysOnALineThatIsPulled) {
   EXPECT_EQ(away_from_line(s), 0);
 }
 
-/// A triangle of netting, held by three bars that meet in node 0 and pushed away from node 0 with 1000 N,
-/// whose line goes through node 0 for every rotation of the triangle. Only a spring of 1 N, tied to its first
-/// corner, determines the rotation; it starts a quarter turn away.
+/// A triangle of netting, held by three bars that meet in node 0, and pushed away from node 0 by a force of
+/// 1000 N. The line of this force goes through node 0 however the triangle rotates. Only a spring of 1 N at
+/// its first corner determines the rotation; the triangle starts a quarter turn away.
 Scene pressed_kite() {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -77,7 +77,7 @@ Scene pressed_kite() {
   return s.scene;
 }
 
-// In equilibrium, the line of the spring goes through node 0, but for 1 % by which the bars stretch.
+// In equilibrium, the line of the spring goes through node 0, to within the 1 % by which the bars stretch.
 TEST(Newton, TurnsAGearWithTheForcesThatTurnWithIt) {
   const Solved s = solve_with("newton", pressed_kite(), {}, {.iterations = 200});
   ASSERT_EQ(s.solution.status, SolveStatus::converged) << s.solution.reason;

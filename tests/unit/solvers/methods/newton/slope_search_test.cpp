@@ -9,8 +9,8 @@ namespace {
 constexpr Refinement kRefinement{.margin = 0.1, .most = 4};
 constexpr SlopeSearch kSlopeSearch{.flatness = 0.1, .refinement = kRefinement};
 
-/// A merit function that falls as (1 − t)² until a stiff member becomes taut at `kink`, plus so much energy
-/// that rounding hides the changes of both.
+/// A merit function that falls as (1 − t)² until a stiff member becomes taut at `kink`. It contains so much
+/// energy that rounding hides its changes.
 struct Kinked {
   double kink, stiffness;
   std::optional<Sample> operator()(double t) const {

@@ -8,9 +8,9 @@
 namespace netloft::test {
 namespace {
 
-/// r = u |u|^(q−1), a force without an energy. Newton's own step leads from u to u − u/q. With q = 1/2 it
-/// alternates between u and −u for ever, and by the trapezoidal rule the force does no work between them;
-/// with a smaller q the steps lead ever farther away.
+/// r = u |u|^(q−1), in a problem that declares no potential. Newton's own step leads from u to u − u/q. With
+/// q = 1/2 it alternates between u and −u for ever, and by the trapezoidal rule the force does no work
+/// between them; with a smaller q the steps lead ever farther away.
 struct Root {
   double q, element, u = 1, tangent = 0, kept = 0;
   double last = 0;  // point of the last evaluation of the residual

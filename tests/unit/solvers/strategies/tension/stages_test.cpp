@@ -13,8 +13,8 @@ namespace {
 
 using StageEnding = MixedNewton::Ending;
 
-/// Compares the equilibrium found by stages with that found by newton from the sketch; from the former,
-/// newton needs few iterations.
+/// Compares the equilibrium found by stages with the one found by newton from the sketch. Starting from the
+/// equilibrium of the stages, newton must need few iterations.
 void expect_same_place(const Scene& scene, double size) {
   TakenAsMembers taken(scene);
   EXPECT_EQ(Stages(defaults<FromSoft>(), taken.problem.interface()).solve(taken.u), StageEnding::converged);
