@@ -276,8 +276,8 @@ void print_frozen(std::size_t pairs, unsigned seed) {
   print("all", all);
 }
 
-/// The processor time of the derivatives of all figures with respect to the first `count` numbers of the
-/// 83-112 at sea with 2000 nodes, divided by the time to read and solve the scene; the median of five ratios.
+/// Processor time of all derivatives with respect to the first `count` numbers, divided by the time to read
+/// and solve the scene, for the 83-112 at sea with 2000 nodes; the median of five ratios.
 double cost(std::size_t count) {
   std::vector<double> ratios;
   for (int i = 0; i < 5; ++i) {

@@ -95,7 +95,7 @@ def measure(program, scene, paths, nodes, options, folder):
     for i in range(options.steps):
         path = paths[i % len(paths)]
         tangents.append(design.ask("jvp", path=path)[1])
-        # the value goes up, back, down and back, so that every move starts one step from its equilibrium
+        # the value goes up, back, down and back: every move is one step from the last equilibrium
         to = start[path] * (1 + options.step * (1, 0, -1, 0)[(i // len(paths)) % 4])
         outcomes, soon, late = design.move(path, to)
         moved = moved or design.since_start()

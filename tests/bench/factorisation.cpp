@@ -36,8 +36,8 @@ double time_of(const std::function<void()>& work, int repeats) {
   return best;
 }
 
-/// Memory allocated by malloc [bytes]. Factorisations keep their memory, so that the difference is their
-/// size.
+/// Memory allocated by malloc [bytes]. A factorisation keeps its memory, so that the difference between two
+/// calls is its size.
 double memory() {
   const auto info = mallinfo2();
   return static_cast<double>(info.uordblks + info.hblkhd);

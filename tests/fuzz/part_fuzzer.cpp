@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tries random changes of the journal of a motion, NAME.hdf.part. Each input says how a good journal is
-// changed: records left out, repeated, of another kind, with other bytes in them, all with the right
-// checksums, and then bytes of the file. The journal is read and reported as a result, and a run continues
-// from it. The part that HDF5 itself reads, the image of all data known at the start, stays unchanged or
-// refers to another file.
+// changed: records are left out, repeated, or get another kind or other bytes, all with correct checksums;
+// then bytes of the file are changed. The journal is read and reported as a result, and a run continues from
+// it. The part that HDF5 itself reads, the image of all data known at the start, stays unchanged or refers to
+// another file.
 #include "io/formats/hdf5/series_journal.hpp"
 #include "io/results/motion/checkpoint.hpp"
 #include "io/results/text/result_text.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A fuzzer without libFuzzer, which runs for every commit: it tries each named file and each file in a named
-// folder, then a fixed number of changes of them, the same ones every time. A fault shows as a crash, mostly
-// in builds with sanitizers.
+// folder, then a fixed number of random changes of these files, which are the same every time. A fault shows
+// as a crash, mostly in builds with sanitizers.
 //
 //   NAME_smoke COUNT[:SEED] FILE-OR-FOLDER…
 #include <algorithm>

@@ -82,7 +82,7 @@ class CommandLine(unittest.TestCase):
         self.check_panel(16, "--set", "parts.net.sketch=[[-16,0,0],[16,0,0],[16,0,-54],[-16,0,-54]]")
 
     def test_panel_is_the_net_twine_by_twine_when_one_word_is_switched(self):
-        # the independent program with every twine a bar
+        # result of the independent program that models every twine as a bar
         answer = self.run_scene("dead-weight-panel.toml", "--set", "parts.net.type=lumped/net", "--set",
                                 f"parts.net.cells=[{MESHES},{MESHES}]")
         self.assertEqual((answer["status"], answer["stability"]), ("converged", "stable"))
@@ -109,7 +109,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(self.status()["outcome"], "not converged")
 
     def test_heated_wire_hangs_deeper_than_the_cold_one(self):
-        # code_aster, validation V6.02.114; 200 straight bars are good for 2e-5
+        # code_aster, validation V6.02.114; the error of 200 straight bars is below 2e-5
         for scene, z, tension in (("catenary-cold.toml", -6.352161, 13206.24),
                                   ("catenary-heated.toml", -8.195452, 10241.73)):
             results = self.run_scene(f"verification/{scene}")["results"]

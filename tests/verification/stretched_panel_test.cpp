@@ -141,9 +141,10 @@ INSTANTIATE_TEST_SUITE_P(AllCells, StretchedPanel,
 class StretchedPanelWithoutOpening : public testing::TestWithParam<int> {};
 
 // Stiffness in compression makes many equilibria: the free edges end in closed meshes, which may be folded
-// either way. From the rectangle, meshes of 16 and more cells find other equilibria, all stable, which differ
-// by 1e-6 in energy. From the shape with opening stiffness, 64 cells still end near the equilibrium of the
-// independent program, 1.5e-12 lower in energy, and so may 32 cells, depending on the steps of the solver.
+// either way. Solves that start from the rectangle, with 16 cells or more, find other equilibria, all stable,
+// whose energies differ by 1e-6. Solves that start from the shape with opening stiffness find the equilibrium
+// of the independent program; with 64 cells, and with 32 depending on the steps of the solver, they find one
+// nearby whose energy is lower by 1.5e-12.
 TEST_P(StretchedPanelWithoutOpening, TakesAShapeOfNoMoreEnergy) {
   const int n = GetParam();
   const Solved s = solve_without_opening(n);

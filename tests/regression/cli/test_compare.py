@@ -77,8 +77,8 @@ class Comparisons(InFreshFolder):
                              "--tolerance", "1e-10", "--json")
         self.assertEqual(ended.code, 0, ended.err)
         method = ended.json()["methods"][0]
-        # The standing bar is about two lengths away from the hanging one, and its energy is higher by m g
-        # times two lengths.
+        # The head of the standing bar is two lengths above that of the hanging bar, and the centre of mass is
+        # one length higher: the energy is higher by m g times one length.
         weight = math.pi / 4 * 0.02**2 * 2000 * 9.80665
         self.assertAlmostEqual(method["other_equilibrium"]["distance"], 2, delta=1e-3)
         self.assertAlmostEqual(method["other_equilibrium"]["energy_difference"], weight, delta=1e-3 * weight)

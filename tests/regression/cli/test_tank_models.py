@@ -63,7 +63,8 @@ def model(gear):
     force, speed = LENGTHS**2 * TWINES, math.sqrt(TWINES)
     small = {key: gear[key] / LENGTHS for key in ("left", "right", "aft", "length")}
     rope = math.sqrt(LENGTHS * TWINES)
-    # A bar of the gear bears a share of the force: the model has λ/λ' times fewer bars.
+    # The model has λ/λ' times fewer bars across, so that each of them bears a λ/λ' times larger share of the
+    # force.
     small |= dict(speed=gear["speed"] / speed, across=gear["across"] * TWINES // LENGTHS, along=gear["along"] * TWINES // LENGTHS,
                   bar=gear["bar"] / TWINES, twine=gear["twine"] / TWINES, twine_EA=gear["twine_EA"] / (LENGTHS * TWINES**2),
                   rope=gear["rope"] / rope, rope_EA=gear["rope_EA"] / force, buoyancy=gear["buoyancy"] / force,

@@ -40,7 +40,7 @@ struct NeutralTriangle {
   std::size_t material = 0;
 };
 
-/// FEMNET's answer, and its forces out of balance by an independent evaluation of its formulas.
+/// FEMNET's answer, and the forces out of balance there, by an independent evaluation of FEMNET's formulas.
 struct NeutralReference {
   std::vector<Vector> positions;
   std::vector<double> bar_tensions;                   // [N]

@@ -27,7 +27,7 @@ Sketch net_with_ropes() {
 }
 
 /// Step h of central differences. The third derivatives of a bar are about its stiffness divided by its
-/// length squared.
+/// length squared, so that the relative error is about (h/length)².
 constexpr double kStep = 1e-4;
 
 TEST(Assembler, HasTheGradientOfTheEnergyAsResidual) {

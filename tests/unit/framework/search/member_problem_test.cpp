@@ -12,8 +12,8 @@
 namespace netloft::test {
 namespace {
 
-/// Netting that is held along its top and drawn longer than its rest length, on a rope that bends, and a
-/// winch rope at constant tension.
+/// Netting that is held along its top and drawn longer than its rest length, with two ropes: one of two bars,
+/// and one of a winch that holds its tension.
 Scene netting_on_ropes() {
   Sketch s;
   s.scene = sample::hanging_panel(3, 45);

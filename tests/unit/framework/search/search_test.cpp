@@ -244,7 +244,8 @@ std::uint32_t ending_of_call(const Scene& scene, std::function<void(Search&)> st
   return running.ending();
 }
 
-// A stage whose work was used up gets more work, although it may be farther from balance than its start.
+// A search whose last stage ran out of work must report that, so that it gets more work, even if an earlier
+// point was closer to balance.
 TEST(ASearch, EndsAsItsLastStageDidAndNotAsTheOneThatWasClosest) {
   const auto cut_off = [](Search& of) {
     Displacements near = of.start();
@@ -365,7 +366,8 @@ TEST(ASearch, LetsTheUsersOwnParametersHoldOverThoseOfTheStrategy) {
       << "that of another solver";
 }
 
-/// Iterations of the first stage of the strategy `pseudo-time`, whose path may have hardly any length.
+/// Iterations of the first stage of the strategy `pseudo-time`, whose path the parameters of the call
+/// restrict to hardly any length.
 int iterations_of_called_strategy(std::map<std::string, Values> given) {
   const Solution s = search(
       taut_bars(),

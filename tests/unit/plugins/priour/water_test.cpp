@@ -206,8 +206,7 @@ TEST(NettingDrag, MatchesItsOracleTwineByTwine) { expect_matches<Drag>(kTwines, 
 
 TEST(NettingDrag, MatchesItsOracleAsAScreen) { expect_matches<Drag>(kScreens, drag<ScreenLaw>); }
 
-/// Netting in water that a catch slows: near its front, at a distance along `slowed_direction`, and
-/// everywhere behind it.
+/// Netting in slowed water; some triangles are ahead of the front of the catch, the others behind it.
 Triangle::Parameters behind_slowed_water() {
   auto p = twine();
   p.slowed_by = 0.7, p.slowed_front = 0.1, p.slowed_radius = 0.3, p.slowed_direction = 0.4;

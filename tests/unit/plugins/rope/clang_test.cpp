@@ -27,7 +27,7 @@ bool runs() {
 #endif
 }
 
-/// Largest difference in a lane over the largest number in it.
+/// Largest difference in a lane, divided by the largest number in the lane.
 double worst_difference(const std::vector<double>& a, const std::vector<double>& b) {
   double worst = 0;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {

@@ -155,7 +155,7 @@ TEST_F(LifeCycle, AFolderWithoutWritePermissionIsAnError) {
   EXPECT_TRUE(says(message, "a.hdf.part: Permission denied")) << message;
 }
 
-/// Writes two files under a limit on the file size, at which writing fails as on a full disk.
+/// Writes under a limit on the file size, at which writing fails as on a full disk.
 int write_on_a_full_disk(const std::filesystem::path& path, const std::filesystem::path& another) {
   std::signal(SIGXFSZ, SIG_IGN);
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Compares figures of gears with closed forms. The scenes have no net plan, but their parts are declared to
-// have the same roles.
+// Compares figures of gears with closed forms. The scenes have no net plan; the tests declare which parts are
+// panels and ropes of a gear.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

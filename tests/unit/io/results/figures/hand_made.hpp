@@ -13,7 +13,7 @@
 
 namespace netloft::results {
 
-/// A scene without a net plan, whose parts are declared to have the roles of one.
+/// A scene without a net plan, for which a test declares the roles of the parts in a gear.
 class HandMade {
  public:
   /// Names of the parts that have a role in the gear.

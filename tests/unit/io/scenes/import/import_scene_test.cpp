@@ -112,7 +112,8 @@ TEST(FemnetMotion, LeavesOutWavesThatAreNotLinear) {
       moving_sample(changed(kWavy, "Depth (m): 100", "Depth (m): 1.5")).holds("waves: they would break"));
 }
 
-/// a² k (3 − t²)/(4 t³) with t = tanh k h: a = 1 m and h = 100 m give k = 0.04044 1/m and t = 0.99939.
+/// Crests rise by a² k (3 − t²)/(4 t³) more, with t = tanh k h: a = 1 m and h = 100 m give k = 0.04044 1/m
+/// and t = 0.99939.
 TEST(FemnetMotion, SaysHowMuchWavesOfHigherOrderAreHigher) {
   EXPECT_TRUE(moving_sample(kWavy + "\ninput wave_model 2\n").holds("crests would rise by 0.0202 m more"))
       << moving_sample(kWavy + "\ninput wave_model 2\n").imported.scene;

@@ -74,8 +74,8 @@ TEST_F(SceneOptimumTest, FindsTheLengthWithTheLeastTension) {
   EXPECT_LE(done.solves, 10);
 }
 
-// The sag of 2 m is reached at L = 8.783713866 m; the derivative of the tension with respect to the sag is
-// there 0.764646125 by the same formulas. The start sags too much.
+// The sag of 2 m is reached at L = 8.783713866 m; by the same formulas, the derivative of the tension with
+// respect to the sag is 0.764646125 at this length. The start sags too much.
 TEST_F(SceneOptimumTest, FindsThePriceOfASag) {
   const SceneOptimum done = optimise(kRope);
   ASSERT_EQ(done.status(), "optimal") << done.trouble;
