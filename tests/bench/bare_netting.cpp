@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// priour/triangle with tension and weight only. idle_terms.cpp compares its cost with that of the full
-// triangle in a scene that needs no other terms.
+// priour/triangle with tension and weight only. idle_terms.cpp compares the cost of this triangle and of the
+// full one in a scene that needs no other terms.
 #include "plugins/priour/triangle.hpp"
 
 using netloft::priour::Triangle;

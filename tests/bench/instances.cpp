@@ -44,7 +44,7 @@ struct GearScene {
 
 constexpr const char* kWire = "{ part = \"6x19-fc-16mm\", ";
 
-/// Returns a gear with its own numbers and those that every gear has.
+/// Returns a gear with the numbers `own` and the numbers that every gear has.
 GearScene gear_scene(const char* file, std::vector<Number> own, const char* panel_mesh, double mesh,
                      double footrope) {
   own.insert(own.end(), {{"stiffness in [elements]", "elements.netting.twine.EA_compression", 10, "N"},

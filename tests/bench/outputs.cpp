@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// bench_outputs [FOLDER]: the cost of writing an output of a motion to the disk, the result at the end
-// included, and the number of system calls that read or write. For comparison, it measures the simplest other
-// way in which outputs survive a kill: an HDF5 file that is flushed at every output.
+// bench_outputs [FOLDER]: measures the cost of writing the outputs of a motion and its result to the disk,
+// and the number of system calls that read or write. For comparison, it measures the simplest other way to
+// keep outputs after a kill: an HDF5 file that is flushed at every output.
 #include "io/formats/hdf5/fold.hpp"
 #include "io/formats/hdf5/result_file.hpp"
 

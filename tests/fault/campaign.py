@@ -379,8 +379,8 @@ class Kill:
             code = run.wait(timeout=3600)
             said.seek(0)
             words = said.read().decode("utf-8", "replace")
-        # A signal that arrives before the program handles signals ends it; after the end of its work, a
-        # signal has no effect.
+        # A signal that arrives before the program handles signals ends the program; a signal after the end of
+        # the work has no effect.
         if code != -self.number and (code != INTERRUPTED or self.number == signal.SIGKILL):
             if code not in (0, 3):
                 raise Harm("without a word", f"exit {code} after signal {self.number}: {words.strip()}")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tries random files of a study. The first byte of an input says what the rest is: `m` a manifest, `r` the
-// record of an item, whose checksum is corrected, so that tables and plots are made of it;
-// otherwise it is a study file, which is planned if it is small.
+// record of an item, whose checksum is corrected so that the record gets into tables and plots; otherwise it
+// is a study file, which is planned if it is small.
 #include "io/formats/files/whole_file.hpp"
 #include "io/studies/sweep/manifest.hpp"
 #include "io/studies/sweep/study_plots.hpp"

@@ -24,8 +24,8 @@ inline double triangle_area(const PanelMesh& panel, std::size_t triangle) {
   return ((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0])) / 2;
 }
 
-/// Faults of triangles that do not fill the outline of their panel exactly once: the sums of their signed and
-/// unsigned areas must both be its area.
+/// Faults of triangles that do not fill the outline of their panel exactly once: the sum of the signed areas
+/// and the sum of the unsigned areas must both be the area of the outline.
 inline std::vector<std::string> area_faults(const Gear& gear, const GearMesh& mesh) {
   std::vector<std::string> faults;
   for (std::size_t p = 0; p < gear.panels.size(); ++p) {

@@ -16,8 +16,8 @@ namespace {
 
 Vec3<double> vector_of(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 
-/// A body whose mass is at its origin, on a rope that ends at r in the axes of the body; it is turned at the
-/// start. Nodes: top and end of the rope, the origin, another point `below`.
+/// A body whose mass is at its origin, on a rope that ends at r in the axes of the body. The body is turned
+/// at the start. Nodes: top and end of the rope, the origin, another point `below`.
 Sketch body_on_a_rope(const std::array<double, 3>& r, const std::array<double, 3>& turned,
                       const std::array<double, 3>& below = {}) {
   Sketch s;
@@ -63,8 +63,8 @@ double aside_by(double a, double h, double F, bool turns_with_it) {
   return solved.position(2)[0] - solved.position(1)[0];
 }
 
-/// Moments about the eye: W a sin θ = F (a + h) if the force rotates with the body, so that it is
-/// perpendicular to its arm; W a tan θ = F (a + h) if it keeps its direction.
+/// Moments about the eye: W a sin θ = F (a + h) if the force rotates with the body and stays perpendicular to
+/// its arm; W a tan θ = F (a + h) if the force keeps its direction.
 TEST(Body, LeansByAForceInItsOwnAxesOrThoseOfTheWorld) {
   constexpr double a = 0.5, h = 0.3, F = 900, W = (800 - 0.1 * 1025) * 9.81;
   EXPECT_NEAR(aside_by(a, h, F, true), F * (a + h) / W, 1e-9);

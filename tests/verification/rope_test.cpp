@@ -224,8 +224,8 @@ TEST(BracedSquare, LeavesOneDiagonalSlack) {
     throw std::invalid_argument(part);
   };
   for (const auto& part : s.loaded.parts) std::printf("%-14s %16.9f N\n", part.name.c_str(), of(part.name));
-  // The square deforms by 1e-6 of its side, and the forces may differ by as much from those of the undeformed
-  // one.
+  // The square deforms by 1e-6 of its side, and its forces may differ by the same fraction from the forces of
+  // the undeformed square.
   EXPECT_NEAR(of("falling-cable"), 1000 * std::sqrt(2), 1e-5 * 1414);
   EXPECT_NEAR(of("lower"), -1000, 1e-5 * 1000);
   EXPECT_EQ(of("rising-cable"), 0);

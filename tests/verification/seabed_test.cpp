@@ -85,8 +85,7 @@ TEST(RopeOverSeabed, IsHeldByTheFrictionOfWhatSlidesAndNoMore) {
     const SolvedFile s = solve_file("verification/rope-dragged-over-seabed.toml",
                                     {"parts.rope.cells=" + std::to_string(bars)});
     ASSERT_EQ(s.solved.solution.status, SolveStatus::converged) << s.solved.solution.reason;
-    // The end was sketched at its held position, so half of its bar is not dragged; the rest of the rope is
-    // dragged.
+    // The dragged end was sketched at its held position, so that half of its bar is not dragged.
     const double pull = -s.solved.reaction(s.node("rope", "start"))[0] + friction * 0.5 * 80 / bars;
     std::printf("%3d bars: %2d iterations, pull %.4f N, error %.2e\n", bars,
                 s.solved.solution.cost.statistics.iterations, pull, relative(pull, exact));

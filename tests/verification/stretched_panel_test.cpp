@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The panel stretched between two edges of the paper's fig. 6b (gear-library) compared with an independent
-// program (data/stretched-panel*.txt), on the same mesh: with the opening stiffness, with half of it, and
-// without it.
+// program (data/stretched-panel*.txt), on the same mesh: with the published opening stiffness, with half of
+// this stiffness, and without any.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -184,7 +184,8 @@ TEST(TowedWire, HangsStraightAtTheCriticalAngle) {
   EXPECT_NEAR(std::atan2(-end[2], end[0]), angle, 1e-8);
 }
 
-// With w = 1 N/m, the angle is 16.224 degrees. The density is such that the wire has a tenth of its weight.
+// With w = 1 N/m, the angle is 16.224 degrees. The density gives the wire a tenth of the weight of the wire
+// in the scene.
 TEST(TowedWire, StreamsOutWhenItIsLight) {
   const double density = 1025 + 1 / (std::numbers::pi / 4 * 4e-4 * 9.80665);
   const SolvedFile s = solve_file(

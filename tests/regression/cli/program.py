@@ -16,8 +16,8 @@ PROGRAM = os.environ["NETLOFT_PROGRAM"]
 HARD_CASES = str(Path(PROGRAM).with_name("hard_cases"))
 SOURCE = Path(os.environ["NETLOFT_SOURCE_DIR"])
 
-# A panel of 4 x 4 meshes hangs from its fore edge and carries a rope along its aft edge. Wrong scenes are
-# this scene with a change that does not move the lines above it, so that the expected line numbers can be
+# A panel of 4 x 4 meshes hangs from its fore edge and carries a rope along its aft edge. Tests of wrong
+# scenes change this scene without moving the lines above the change, so that the expected line numbers can be
 # counted here.
 GOOD = """\
 [water]

@@ -16,8 +16,8 @@ PENDULUM = str(SCENES / "dynamics" / "elastic-pendulum.toml")
 COARSE = ["--set", "parts.net.cells=[8,8]"]
 BARS = ["--set", "parts.rope.cells=40"]
 
-# A bar that stands nearly upright on its foot: the classic method leaves it there, the globalised one lets it
-# fall.
+# A bar that stands nearly upright on its foot: by the classic method the bar remains upright, by the
+# globalised method it falls.
 STANDING = """\
 [water]
 density = 0

@@ -101,7 +101,7 @@ class Imports(InFreshFolder):
         figures = self.solved('top = { of = "line-1", take = "max tension" }\nlow = { of = "line-2", take = "min z" }\n')
         w = (12 - 1000 * math.pi * 0.05 ** 2 / 4) * 9.81
         H, V = elastic_catenary(80, 20, 95, 2e7, w)
-        # the tension of a bar is that at its middle, here of the first of 160 bars
+        # Netloft reports the tension at the middle of a bar, here of the first of 160 bars
         self.assertAlmostEqual(figures["top"] / math.hypot(H, V - w * 95 / 320), 1, delta=2e-4)
         self.assertAlmostEqual(figures["low"], -60, delta=1e-3)
         # FairTen is the tension at the second end, and equals the net force on its node

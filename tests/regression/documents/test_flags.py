@@ -28,8 +28,8 @@ def until_it_serves(command):
     return f"{command} > served & while kill -0 $! && ! grep -q http served; do sleep 0.05; done; kill -INT $!; wait $!; ended=$?; cat served; (exit $ended)"
 
 
-# Each command, and words of its output or the file that it writes. The order matters: later commands read
-# files of earlier ones.
+# Each command, and words of its output or the file that it writes. The order matters, because commands read
+# files that earlier commands have written.
 COMMANDS = (
     ("netloft --help", "calibrate"),
     ("netloft --version", "netloft "),

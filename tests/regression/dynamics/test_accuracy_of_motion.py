@@ -16,12 +16,12 @@ import numpy as np
 
 NETLOFT, MOTIONS = sys.argv[1], Path(sys.argv[2]) / "tests" / "bench" / "motions"
 BALL = 4  # node of snap.toml
-# A chain that is sketched a fifth shorter than it is, so that its bars move apart fast and become taut within
-# a step.
+# A chain that is sketched a fifth shorter than its length: the nodes move apart fast, and bars become taut
+# within a step.
 SHORT_CHAIN = ["parts.chain.sketch=[[0,0,-8],[3,0,-7.2]]", "parts.chain.rope.EA_compression=856", "analysis.duration=0.3"]
 
-# A ball on a light bar that stands upright on its lower end: without a disturbance it stays there; any
-# deviation grows as cosh(t sqrt(g/l)).
+# A ball on a light bar that stands upright on its lower end. Without a disturbance the bar remains upright;
+# any deviation grows as cosh(t sqrt(g/l)).
 UPRIGHT = """
 [water]
 density = 0

@@ -71,7 +71,7 @@ class SuiteRun {
     return row;
   }
 
-  /// Reads a case as a column runs it. Returns its diagnostics if it is not accepted.
+  /// Reads a case with the settings of a column. Returns the diagnostics if the case is not accepted.
   std::optional<formats::Diagnostics> read(const HardCase& c, const std::string& size, const Column& column) {
     runs::PreparedScene one(source(c, size, column), registry_);
     if (one.prepare([&](scenes::LoadedScene& loaded) { spoil(loaded.scene, c.start); }) ==
@@ -181,8 +181,8 @@ class SuiteRun {
       references_.forget(c.reference, size);
   }
 
-  /// Adds the reference of a case and returns whether it is final. While references are renewed, only those
-  /// that this run has written are used, and better ones may replace them.
+  /// Adds the reference of a case and returns whether it is final. While references are renewed, only
+  /// references that this run has written are used, and a better equilibrium may replace them.
   bool add_known(Answers& all, const HardCase& c, const std::string& size) const {
     if (c.is_random || (options_.update && !renewed_.contains({c.reference, size}))) return false;
     all.best = references_.find(c.reference, size);

@@ -50,7 +50,7 @@ std::optional<formats::Diagnostics> refuse_settings(const Suite& suite, const st
                                                     References& references, Registry& registry,
                                                     const RunOptions& options);
 
-/// Runs the suite, case by case. An interrupt ends it during a case, which is then left out.
+/// Runs the suite, case by case. An interrupt ends the run, and the unfinished case is left out.
 std::vector<Row> run_suite(const Suite& suite, const std::vector<Column>& columns, References& references,
                            Registry& registry, const RunOptions& options);
 

@@ -36,9 +36,9 @@ enum class Flaw {
   keeps_threads
 };
 
-/// Solves the scene at once, from a coarser mesh if there is one. If that fails, it solves with caps on the
-/// stiffness that rise to the full stiffness; if the result is unstable, it solves again from a perturbed
-/// point.
+/// Solves the scene at once, from a coarser mesh if there is one. If this fails, the strategy solves again
+/// with a cap on the stiffness, which rises to the full stiffness; if the result is unstable, it solves again
+/// from a perturbed point.
 template <Flaw F>
 struct Wrong {
   struct Parameters {

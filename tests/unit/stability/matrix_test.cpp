@@ -10,7 +10,7 @@
 namespace netloft::hard_cases {
 namespace {
 
-/// Two cases, of which one has no equilibrium, and two solvers, of which the second claims to have found one.
+/// Two cases and two solvers. One case has no equilibrium, but the second solver claims to have found one.
 class Matrix : public ::testing::Test {
  protected:
   Matrix() {

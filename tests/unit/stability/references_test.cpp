@@ -56,8 +56,7 @@ TEST_F(Book, SaysWhichFileCannotBeRead) {
 }
 
 // Energies of the two panels of the paper, from an independent program (residuals in 80 bits, to 1e-13 N), on
-// the same meshes; the other tests of these panels (tests/verification) take their positions from this
-// program.
+// the same meshes. The tests of these panels in tests/verification take positions from the same program.
 TEST(TheBook, AgreesWithAnIndependentProgramAboutThePanelsOfThePaper) {
   const References answers(netloft::test::source_folder() + "/tests/stability/references.json");
   const auto expect = [&](const std::string& name, const std::string& size, double energy) {

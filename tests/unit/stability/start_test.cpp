@@ -97,7 +97,7 @@ TEST_F(Start, ShufflingGivesEveryFreeNodeThePlaceOfAnother) {
 }
 
 TEST_F(Start, ASliderStaysOnItsLine) {
-  // The node is held along x and y of its own axes, whose z is the direction (0.6, 0, 0.8).
+  // The node is held along x and y of its own axes, and can move along their z axis, (0.6, 0, 0.8).
   scene.held[2] = kAxisX | kAxisY;
   scene.frames[2] = {0.8, 0, 0.6, 0, 1, 0, -0.6, 0, 0.8};
   spoil_by("{ shift = [1, 5, 0] }");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Without a solver: forces at the positions of FEMNET's answer are computed and compared with those of FEMNET
-// and of an independent evaluation of its formulas.
+// Without a solver: forces are computed at the positions of FEMNET's answer, and compared with FEMNET's
+// forces and with an independent evaluation of FEMNET's formulas.
 #include <cstdio>
 
 #include "tests/validation/real_gears/gears.hpp"

@@ -70,8 +70,8 @@ void expect_another_answer(const NeutralCase& gear, const SolvedGear& s) {
 }
 
 /// A stationary point that was judged unstable: after a perturbation of a tenth of a millimetre, the gear
-/// must move away within four times the reported time of tenfold growth, whereas from FEMNET's answer, which
-/// is stable, it must not.
+/// must move away from this point within four times the reported time of tenfold growth, but not from
+/// FEMNET's answer, which is stable.
 void expect_to_be_left(const NeutralCase& gear, const SolvedGear& s) {
   ASSERT_EQ(s.solved.solution.status, SolveStatus::unstable) << s.solved.solution.reason;
   const double tenfold = std::log(10) / s.solved.solution.growing.rate;

@@ -76,7 +76,7 @@ TEST(TileRows, BeginCleanAfterATileThatAddedNothing) {
   EXPECT_TRUE(rows.is_zero());
 }
 
-// A plugin must not write beyond the last lane. If it does, its mistake must not affect other tiles.
+// A plugin must not write beyond the last lane. If it does, other tiles must not be affected.
 TEST(TileRows, ForgetWhatWasWrittenBeyondTheLastLane) {
   TileRows rows(2);
   rows.open(2, 3)[kWidth + 5] = 7;

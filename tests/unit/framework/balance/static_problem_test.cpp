@@ -301,8 +301,8 @@ TEST(StaticProblem, StopsWhenTimeIsUpOrSomeoneInterrupts) {
   EXPECT_EQ(c.problem.stop(), Stop::interrupted);
 }
 
-/// A bar of 1 m and EA = 100 N below its top at height z. A load of 50 N at its end stretches it to 1.5 m in
-/// equilibrium.
+/// A bar of 1 m and EA = 100 N that hangs from a fixed node at height z. A load of 50 N at its lower end
+/// stretches the bar to 1.5 m in equilibrium.
 Sketch pulled_bar(double z) {
   Sketch s;
   s.scene.water.gravity = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A struct of parameters whose table declares one of two members. The host sets that one and leaves the other
-// zero; the functions of the author must see the author's default.
+// A struct of parameters whose table declares one of two members. The host sets the declared member and
+// leaves the other zero; the functions of the author must see the author's default.
 #include <netloft/integrator.hpp>
 #include <netloft/law.hpp>
 #include <netloft/solver.hpp>

@@ -11,8 +11,8 @@ namespace {
 using test::Moving;
 using test::Oscillator;
 
-/// An explicit scheme that follows only fractions of the accelerations and velocities; it is correct if both
-/// are 1.
+/// An explicit scheme that multiplies accelerations and velocities by two fractions; it is correct if both
+/// fractions are 1.
 struct Partly {
   double of_acceleration = 1, of_velocity = 1;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The names under which the host gives data to elements: whether the page for authors lists them, and which
-// declarations are refused.
+// The names of the data that the host gives to elements: the page for authors must list them, and wrong
+// declarations must be refused.
 #include "framework/registry/element_data.hpp"
 #include "framework/registry/element_outputs.hpp"
 #include "tests/support/rows_of_page.hpp"

@@ -113,8 +113,8 @@ TEST(Settings, SayWhyTheyEndWhereThereIsNoEquilibriumBeyond) {
   EXPECT_LT(100 * s.factors[0], 96);
 }
 
-/// Finds the length of a wire for which its upper end carries `wanted` newtons. The wire has 4 bars and a
-/// weight at its lower end.
+/// Finds the length of a hanging wire whose upper end carries `wanted` newtons, its own weight. The wire has
+/// 4 bars, each of length `l0` at first.
 Solution hang(double l0, double wanted) {
   test::Sketch s;
   std::vector<std::uint32_t> chain{s.node(0, 0, 0, kAllAxes)};

@@ -115,7 +115,8 @@ TEST(CatchFront, HasTheDerivativeOfItsForceAsTangent) {
   }
 }
 
-/// The table rises from 20 % to 100 % of 0.7 m³: in the middle it gives 60 %, and 20 % before it begins.
+/// The table rises from 20 % to 100 % of 0.7 m³: in the middle of the table the catch is 60 %, and before the
+/// table begins 20 %.
 TEST(CatchFront, GrowsByItsTable) {
   const double table[] = {10, 0.2, 20, 1};
   auto p = pressing(120, 0.7);

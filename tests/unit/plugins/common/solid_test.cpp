@@ -36,7 +36,8 @@ void expect_same(const Wrench<double>& one, const Wrench<double>& other) {
   EXPECT_LT(norm(one.moment - other.moment), kSmall * norm(one.moment));
 }
 
-/// The same body with axes rotated back by ψ, which is then the rotation vector to its principal axes.
+/// The same body, written in axes that are rotated back by ψ. The rotation vector ψ then leads from these
+/// axes to the principal axes.
 TEST(Solid, MovesTheSameWhateverAxesItIsWrittenIn) {
   const V psi{0.4, -0.2, 0.7};
   const Body<double> b = moving();
@@ -50,7 +51,7 @@ TEST(Solid, MovesTheSameWhateverAxesItIsWrittenIn) {
   expect_same(Inertia::force(board(), Sided{}, b), Inertia::force(p, Sided{}, other));
 }
 
-/// The same body with a different origin, by which its centres of mass and of added mass are displaced.
+/// The same body with another origin, so that the centres of mass and of added mass are at r.
 TEST(Solid, MovesTheSameWhereverItsOriginIs) {
   const V r{0.5, -0.2, 0.3};
   const Body<double> b = moving();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// rope/bending without bars, because beside stiff bars an error in its tangent would be invisible. It is
-// compared with its energy differentiated by dual numbers, and with the moment of the trawl-gear paper's eq.
-// (1).
+// rope/bending without rope/bar, whose stiffness would hide an error in the tangent of bending. The bending
+// is compared with its energy differentiated by dual numbers, and with the moment of the trawl-gear paper's
+// eq. (1).
 #include "plugins/rope/rope_bending.hpp"
 
 #include "tests/unit/plugins/kernel_oracle.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// seabed/bed equals seabed/plane on a plane; on a hill its force is normal to the hill, and its friction has
-// the right magnitude.
+// On a plane, seabed/bed equals seabed/plane. On a hill, the contact force is normal to the hill, and
+// friction has the right magnitude.
 #include "plugins/seabed/bed.hpp"
 
 #include "tests/unit/plugins/kernel_oracle.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// seabed/plane: contact is compared with its energy differentiated by dual numbers in each of its branches,
+// seabed/plane: each branch of the contact force is compared with the energy differentiated by dual numbers,
 // friction with values by hand, and the tangent of friction with differences.
 #include "plugins/seabed/plane.hpp"
 

@@ -204,7 +204,7 @@ TEST(Auto, MovesOffOncePerThingThatGrows) {
   }
 }
 
-// The bar bears compression only: it is unstable, and where it topples, nothing holds its load.
+// The bar bears compression only: it is unstable, and nothing holds its load after it has toppled.
 TEST(Auto, LeavesAnUnstableEquilibriumOnceToEachSide) {
   plugins();
   Scene scene = toppling_bar(0);

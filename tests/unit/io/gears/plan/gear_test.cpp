@@ -203,8 +203,8 @@ TEST(Gear, ARopeOfTheMiddleIsTiedOnBothSides) {
   EXPECT_EQ(half.between, (std::array<std::string, 2>{"kite", "post"}));
 }
 
-/// The corners of a panel are at those of the sketch, its sides are straight, and the port panel is the
-/// mirror image.
+/// The corners of the panel are at the corners of its sketch, its sides are straight, and its port half is
+/// the mirror image.
 TEST(Gear, ASketchPutsAPanelInItsPlace) {
   const auto checked = check_text(changed_plan(
       "sides = \"5B1P in\"", "sides = \"5B1P in\"\nsketch = [[0, 0, 2], [0, 3, 2], [4, 1, 1], [4, 0, 1]]"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plans in which one number is wrong: every value that a hint proposes is written into the plan, which is
-// checked again. Then the message must be gone without a new one, or the hint must say what else is needed.
+// Plans in which one number is wrong. Every value that a hint proposes is written into the plan, and the plan
+// is checked again: the message must be gone and no new one appear, or the hint must say what else is needed.
 #include "tests/unit/io/gears/plan/wrong_numbers.hpp"
 #include "tests/unit/io/gears/plan/plans.hpp"
 

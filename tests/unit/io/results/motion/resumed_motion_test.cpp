@@ -10,7 +10,7 @@ namespace {
 using netloft::test::Moving;
 using netloft::test::Oscillator;
 
-/// A bar along x under its weight, which its holds along y and z bear.
+/// A bar along x, whose weight is borne by holds along y and z.
 Scene heavy_bar() {
   Scene scene = Oscillator().scene();
   scene.water.gravity = 9.81;

@@ -29,7 +29,8 @@ TEST(Jonswap, IsTheSameToTheBitForASeedAndAnotherForAnother) {
   EXPECT_NE(a[0].phase, c[0].phase);
 }
 
-/// The test has its own SplitMix64, seeded by name and number: every machine must draw these numbers.
+/// The test contains a second SplitMix64, seeded by name and number: every machine must draw the same random
+/// numbers.
 TEST(Jonswap, DrawsWhatTheGeneratorSays) {
   std::uint64_t state = 14695981039346656037ull;
   for (const char c : {'w', 'a', 'v', 'e', 's'})

@@ -65,7 +65,7 @@ TEST(Places, AreAsFarApartAsTheirFarthestNode) {
   EXPECT_DOUBLE_EQ(largest_distance(places(rope(4, flat)), places(rope(8, bump))), 0.3);
 }
 
-/// The position of a node at s on a mesh of width h, which is h² sin πs away from its limit.
+/// The position of a node at s on a mesh of width h: it differs by h² sin πs from its limit for h → 0.
 double second_order(double s, double h) { return std::sin(3 * s) + h * h * std::sin(M_PI * s); }
 
 Discretisation judged(const std::vector<int>& cells, double (*f)(double, double)) {

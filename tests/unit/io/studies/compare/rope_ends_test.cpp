@@ -8,7 +8,7 @@
 namespace netloft::studies {
 namespace {
 
-/// A headrope of 4 m in `bars` bars, whose tension grows towards its end like 1/√(distance from the end).
+/// A headrope of 4 m in `bars` bars, whose tension grows towards one end like 1/√(distance from this end).
 NumbersOnMesh mesh_of(int bars) {
   NumbersOnMesh mesh;
   mesh.mesh = {bars, 1.0 / bars, "bars"};

@@ -131,8 +131,8 @@ TEST_F(SceneOptimumTest, GoesOnWhereItWasInterrupted) {
             whole.found.history.front().predictions);
 }
 
-// All points have the mesh topology of the scene at its own numbers, so that the figures at a point do not
-// depend on those before it.
+// At all points, the mesh has the topology that it has at the scene's own numbers, so that the figures at a
+// point do not depend on earlier points.
 TEST_F(SceneOptimumTest, GoesOnWithTheSameMeshWhereACountIsVaried) {
   const std::string trawl = "scene = \"" + test::source_folder() +
                             R"(/gear-library/scenes/83-112-flume-3.0kn.toml"

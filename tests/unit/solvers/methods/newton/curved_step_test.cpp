@@ -64,8 +64,8 @@ int iterations_of(double steepness) {
   return valley.iterations;
 }
 
-// A straight step ends at the point where E has risen across the valley as much as it has fallen along it:
-// the steeper the valley, the shorter the steps.
+// A straight step must end where the rise of E across the valley equals its fall along the valley: the
+// steeper the valley, the shorter the steps.
 TEST(BentStep, FollowsABentValleyHoweverSteep) {
   EXPECT_LT(iterations_of(1e2), 8);
   EXPECT_LT(iterations_of(1e4), 8);

@@ -50,8 +50,8 @@ TEST(SlopeSearch, TakesAWholeStepBehindWhichTheSlopeHasNearlyGone) {
   EXPECT_EQ(asked, 1);
 }
 
-// The merit falls to t = 0.1 and then rises to a hill. Behind the hill its slope is negative, as if it had
-// fallen all the way.
+// The merit falls to t = 0.1 and then rises to a hill. Behind the hill the slope is negative again, as if the
+// merit had fallen all the way.
 TEST(SlopeSearch, CrossesNoHillThatRoundingDoesNotExplain) {
   const auto hill = [](double t) {
     return std::optional<Sample>({t, t > 0.2 ? 5.0 : 0.0, t > 0.2 ? -1e-3 : t - 0.1});

@@ -28,8 +28,8 @@ TEST(Relaxation, SaysThatItDidNotArriveWhereForcesFeedTheMotion) {
   EXPECT_TRUE(says(s, "runs away")) << s.solution.reason;
 }
 
-/// A spring with the energy k (l² − l₀²)²/(8 l₀²), l₀ = 1 m, k = 100 N/m. At l = 3 m it pulls with k l (l² −
-/// 1)/2 = 1200 N and has the stiffness k (3 l² − 1)/2 = 1300 N/m, 13 times that of the unstretched spring.
+/// A spring with the energy k (l² − l₀²)²/(8 l₀²), l₀ = 1 m, k = 100 N/m. At l = 3 m the spring pulls with k
+/// l (l² − 1)/2 = 1200 N, and its stiffness is k (3 l² − 1)/2 = 1300 N/m, 13 times the stiffness at l₀.
 Scene stiffening_spring() {
   Sketch s;
   s.scene.water.gravity = 0;
@@ -46,8 +46,8 @@ TEST(Relaxation, RaisesMassesThatTheStiffnessHasOutgrown) {
   EXPECT_NEAR(s.position(1)[2], -3, 1e-9);
 }
 
-/// The element has the energy ½ l² and no force beyond l = 1 m. Pulled by 0.9 N it comes to rest at 0.9 m,
-/// but the first motion goes too far.
+/// The element has the energy ½ l², and its force is not defined beyond l = 1 m. Under a pull of 0.9 N it
+/// comes to rest at 0.9 m, but the first motion goes beyond 1 m.
 TEST(Relaxation, ReturnsFromWhereThereAreNoForces) {
   Sketch s;
   s.scene.water.gravity = 0;
