@@ -153,7 +153,8 @@ TEST(EnergyBudget, CountsWhatAWinchDoesInStepsThatHaulFarMoreThanTheRopeStretche
        "analysis.tolerance=1e-8", "analysis.duration=20", "analysis.output_interval=10"},
       0};
   const auto b = budget_of(hauled, {step(0.5), "analysis.integrator=generalized-alpha"});
-  // Lifting 5 kg by half a metre, against gravity and the mass damping of 5 kg x 2 / s at 0.025 m/s.
+  // The work to lift 5 kg by half a metre, against gravity and against the mass damping of 5 kg x 2 / s at
+  // 0.025 m/s.
   EXPECT_NEAR(b.at("work_of_winches"), 0.5 * (5 * 9.81 + 10 * 0.025), 0.01 * 24.6);
   EXPECT_LT(std::abs(b.at("numerical")), 1e-3 * b.at("work_of_winches"));
 }

@@ -29,7 +29,7 @@ void leave_out(const std::vector<std::string>& parts, Column& column);
 /// Returns the name of the component in a specification: "newton" in "newton:method=classic".
 std::string component_of(const std::string& specification);
 
-/// Settings, path=value, that replace the analysis of a scene by that of the column. Throws
+/// Settings path=value that replace the analysis of a scene by the analysis of the column. Throws
 /// std::invalid_argument with a sentence if a specification is not understood.
 std::vector<std::string> overrides_of(const Column& column);
 

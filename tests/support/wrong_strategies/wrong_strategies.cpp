@@ -81,8 +81,8 @@ struct Wrong {
     if (!is_over(search, stage)) go_on_from(search, stage);
   }
 
-  /// Starts from a coarser mesh if there is one. Returns the stage of the scene, or an empty stage if the
-  /// search ended before it.
+  /// Starts from a coarser mesh if there is one. Returns the stage on the scene's own mesh, or an empty stage
+  /// if the search ended before that stage.
   static Stage at_once(Search& search) {
     Displacements u = has(Flaw::ignores_start) ? Displacements(search.size(), 0.0) : search.start();
     if (search.levels() > 1) {

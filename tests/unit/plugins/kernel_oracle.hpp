@@ -50,7 +50,8 @@ Dual<3 * Nodes> oracle(const typename E::Parameters& p, const typename E::Data& 
   return Term::oracle(p, d, w, x);
 }
 
-/// Largest difference of the numbers of a lane to the expected ones, over the largest expected one.
+/// Largest difference between the numbers of a lane and the expected numbers, divided by the largest expected
+/// number.
 template <class Expected>
 double relative_error(const double* found, const Expected& expected, std::size_t lane) {
   double error = 0, size = 0;

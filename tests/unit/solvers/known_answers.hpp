@@ -77,8 +77,8 @@ inline Scene bar_without_forces() {
   return s.scene;
 }
 
-/// A bar of 1 m with EA = 100 N, stretched to 1.1 m between two supports: there are no unknowns, and it pulls
-/// with 10 N.
+/// A bar of 1 m with EA = 100 N, stretched to 1.1 m between two supports: there are no unknowns, and the bar
+/// pulls with 10 N.
 inline Scene bar_between_supports() {
   Sketch s;
   s.scene.water.gravity = 0;

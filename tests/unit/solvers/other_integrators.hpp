@@ -29,13 +29,13 @@ inline int step_where_the_host_answers(int status, const Chosen& scheme) {
   return motion.run(scheme.type.integrator, scheme.block.data(), {0.01}, 0.01);
 }
 
-/// Returns the power of the step length to which the error of a damped motion is proportional.
+/// Returns the order of the error of a damped motion in the step length.
 inline double order_in_a_motion_with_damping(const Chosen& scheme) {
   const conformance::PracticeSwing damped{.damping = 0.2};
   return std::log2(after(scheme, 160, 4, damped).error() / after(scheme, 320, 4, damped).error());
 }
 
-/// Returns the power of the step length to which the error estimate of one step is proportional.
+/// Returns the order of the error estimate of one step in the step length.
 inline double order_of_estimates(const Chosen& scheme) {
   return std::log2(after(scheme, 10, 0.5, {}).estimate / after(scheme, 20, 0.5, {}).estimate);
 }

@@ -17,8 +17,8 @@ inline Solved solve_by(const char* solver, Scene scene, Values parameters = {}, 
   return solve(std::move(scene), how);
 }
 
-/// Whole steps with a small fraction of the linear stiffness added, which converge from slack netting and
-/// rope.
+/// Parameters for whole steps, with a small fraction of the linear stiffness added to the tangent. Such steps
+/// converge from slack netting and slack rope.
 inline const Values kWholeSteps = {{"strategy", std::string("none")}, {"damping", 1e-3}};
 
 inline void expect_same_shape(const Solved& a, const Solved& b) {

@@ -28,7 +28,8 @@ struct Wish {
   int repeats = 1;
 };
 
-/// "newton:damping=0.1" or "tension/stages:turn=0.5,fall=0.2": sets parameters of a solver or a strategy.
+/// Sets parameters of a solver or a strategy, such as "newton:damping=0.1" or
+/// "tension/stages:turn=0.5,fall=0.2".
 void set(test::Solving& how, const std::string& setting) {
   const auto colon = setting.find(':');
   if (colon == std::string::npos) throw std::invalid_argument("--set " + setting + ": write NAME:key=value");

@@ -80,7 +80,8 @@ std::vector<Part> ropes_of(const NeutralCase& gear) {
   return parts;
 }
 
-/// A part with the same elements, which computes the forces that they lose above the surface.
+/// A part with the elements of `wet`, which computes the forces that the elements of `wet` lose above the
+/// surface.
 Part dry(const Part& wet) {
   const bool netting = wet.type == "priour/triangle";
   const std::string diameter = netting ? "twine.diameter" : "rope.diameter";

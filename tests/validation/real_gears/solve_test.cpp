@@ -110,7 +110,7 @@ TEST_P(RealGear, IsInEquilibriumByTheDefaultStrategy) {
 // of knots.
 int most_factorisations(const std::string& gear) { return gear == "07_bottom_b1" ? 80 : 50; }
 
-/// The same gears in few steps. The ring is left out because it is only bent, without tension.
+/// Solves the gears with few factorisations. The ring is left out because it is only bent, without tension.
 TEST_P(RealGear, IsInEquilibriumFromSoftToStiffWithFewFactorisations) {
   if (gear_.triangles.empty()) GTEST_SKIP() << "no netting";
   test::Solving how = closely();

@@ -117,7 +117,7 @@ TEST(SymmetryPlane, MakesHalfAPanelHangLikeTheWhole) {
         EXPECT_NEAR(half.position(j * (n / 2 + 1) + i)[axis], whole.position(j * (n + 1) + i)[axis], 1e-8);
 }
 
-// Positions plus the digits that rounding removes are exact to twice the precision, for rotated nodes, too.
+// Positions together with the digits that rounding removes have twice the precision, also at rotated nodes.
 TEST(Frames, KeepWhatPositionsRoundOff) {
   const Scene scene = bead_on_a_line();
   Assembler assembler(scene, make_scene_plan(scene, test::shipped_plugins()), 1);

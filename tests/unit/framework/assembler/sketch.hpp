@@ -56,8 +56,8 @@ struct Assembled {
 /// row.
 std::vector<double> difference(Assembled& a, const std::vector<double>& x, double h);
 
-/// Expects that a gradient that is computed together with the residual at x has the bits of a gradient
-/// computed alone, differs from the residual, and changes no other sum.
+/// Expects that the gradient computed together with the residual at x equals, to the bit, the gradient
+/// computed alone, differs from the residual, and leaves all other sums unchanged.
 void expect_gradient_beside_residual(Assembled& a, const std::vector<double>& x);
 
 /// Random numbers between -1 and 1, the same on every machine.

@@ -31,7 +31,7 @@ Scene standing_bar(double load, double height) {
 }
 
 /// The tolerance accepts the start, so that no iteration is made. Computed by hand: 100 N stretch the bar by
-/// 0.01 m, and it starts at half of that.
+/// 0.01 m, and at the start it is stretched by half of this length.
 TEST(Correction, IsTheWayToTheEquilibriumWhereForcesAreLinear) {
   const Solved s = solve_sketch(standing_bar(100, 1.005), 1);
   EXPECT_EQ(s.solution.cost.statistics.iterations, 0);

@@ -31,8 +31,8 @@ State<4> triangle(const Vec3<double>& a, const Vec3<double>& b, const Vec3<doubl
 
 State<4> somewhere(double front) { return triangle({0.3, -0.2, 1}, {1.4, 0.1, 1.2}, {0.5, 0.9, 0.4}, front); }
 
-/// The volume behind a front at ξ in a box that is open towards −x: x from 0 to 2, y and z from 0 to 1, so
-/// that it is 2 − ξ.
+/// The volume behind a front at ξ in a box that is open towards −x: x from 0 to 2, y and z from 0 to 1. The
+/// volume is 2 − ξ.
 double volume_of_box(double front, double direction = 0) {
   const std::array<Vec3<double>, 8> x{
       {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}, {0, 0, 1}, {2, 0, 1}, {2, 1, 1}, {0, 1, 1}}};
@@ -83,7 +83,7 @@ TEST(CatchFront, LeavesWhatIsAheadOfIt) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(norm(out.force[i]), 0);
 }
 
-/// The sum of the fractions is the fraction of the area behind the plane, here of similar triangles.
+/// The sum of the fractions is the fraction of the area behind the plane, known here from similar triangles.
 TEST(CatchFront, CutsTrianglesByTheAreaBehindIt) {
   const auto one = Front::behind(std::array<double, 3>{0.5, -0.5, -0.5});
   EXPECT_NEAR(one.w[0] + one.w[1] + one.w[2], 0.25, 1e-15);

@@ -66,7 +66,8 @@ TEST(Solid, MovesTheSameWhereverItsOriginIs) {
   expect_same(expected, Inertia::force(p, Sided{}, other));
 }
 
-/// On the mirror image at the xz plane, forces are mirrored, and moments are reversed except about y.
+/// On the mirror image of a body in the xz plane, forces are mirrored, and moments about x and z are
+/// reversed.
 TEST(Solid, IsMirroredToTheOtherSide) {
   Solid p = board();
   p.inertia_turned_x = 0.3, p.inertia_turned_z = -0.5, p.added_turned_y = 0.2, p.added_turned_x = 0.6;

@@ -59,7 +59,8 @@ TEST(Float, DragsWithTheSquareOfTheFlowOnTheCircleOfItsDiameter) {
   EXPECT_DOUBLE_EQ(Float::drag_factor(p, kWater), 0.5 * 1025);
 }
 
-/// (3) with dual numbers, W = c(z) - v; variables are the position (0 … 2) and the velocity (3 … 5).
+/// Equation (3) in dual numbers, with W = c(z) - v; the variables are the position (0 … 2) and the velocity
+/// (3 … 5).
 Vec3<Dual<6>> drag_oracle(double factor, const State<1>& s) {
   Vec3<Dual<6>> W;
   const auto z = Dual<6>::variable(0, 2);

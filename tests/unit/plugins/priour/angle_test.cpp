@@ -37,8 +37,8 @@ std::vector<Triangle::Data> panels() {
   return all;
 }
 
-/// Places corners so that meshes have the half angle `half_angle(lane)`, in any plane; bars of 0.07 to 0.13
-/// m.
+/// Places corners so that meshes have the half angle `half_angle(lane)`, in any plane, with bars of 0.07 to
+/// 0.13 m.
 template <class HalfAngle>
 void place_corners(TestTile<3>& tile, const std::vector<Triangle::Data>& data, HalfAngle&& half_angle) {
   std::mt19937_64 random(3);
@@ -89,8 +89,8 @@ TEST(Opening, MatchesItsOracleWhereTheSeriesTakesOver) {  // e = 0.1 is α = 0.2
   expect_matches<OpeningGiven>(twine(0.3), 0.22, 0.23, 1e-11);
 }
 
-/// The energy with three terms of the series of α² in e = 1 − c, with a relative error of e³: for nearly
-/// closed meshes.
+/// The energy for nearly closed meshes, from three terms of the series of α² in e = 1 − c, with a relative
+/// error of e³.
 struct NearlyClosed {
   template <class T>
   static T oracle(const Triangle::Parameters& p, const Triangle::Data& d, const Water&,

@@ -23,8 +23,8 @@ Plane::Parameters sloping() {
 
 const std::vector<Plane::Data> kTwoMetres(kLanes, Plane::Data{2, 7});
 
-/// Places nodes between `least` and `most` below a sloping bed, measured along z; they are near the origin,
-/// so that depths do not lose digits.
+/// Places nodes at depths between `least` and `most` below a sloping bed, measured along z. The nodes are
+/// near the origin, so that depths do not lose digits.
 void place_nodes(TestTile<1>& tile, double least, double most) {
   std::mt19937_64 random(5);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -216,7 +216,8 @@ TEST(SeabedFriction, IsNothingWithoutAPast) {
   EXPECT_EQ(n.force[0], 0);
 }
 
-/// Compares the tangent with central differences on a sloping bed; it is unsymmetric while the node slides.
+/// Compares the tangent with central differences on a sloping bed. The tangent is unsymmetric while the node
+/// slides.
 void expect_tangent_is_derivative(double way, double depth) {
   OneNode n;
   n.p = sloping();

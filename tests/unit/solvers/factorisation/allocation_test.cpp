@@ -29,7 +29,8 @@ class Allocations : public testing::TestWithParam<MatrixClass> {
   void SetUp() override {
     if (!test::malloc_is_counted()) GTEST_SKIP() << "malloc cannot be counted in this build";
   }
-  /// Number of factorisations after which there are no more allocations. MUMPS keeps arrays between them.
+  /// Number of factorisations after which there are no more allocations. MUMPS keeps arrays from one
+  /// factorisation to the next.
   int warm_up() const { return GetParam() == MatrixClass::positive_definite ? 1 : 3; }
   TestMatrix make_net(int side) const {
     return make_net_matrix(

@@ -82,7 +82,7 @@ TEST_F(Series, IsReadWhileItGrows) {
   expect_states(Reader(in("a.hdf.part")), {0.0, 0.5, 1.0});
 }
 
-/// The heights never change, the strains change at time 1. A resumed run must write the same file as a run
+/// The heights never change; the strains change at time 1. A resumed run must write the same file as a run
 /// without a kill.
 TEST_F(Series, HoldsAFieldOnceAsLongAsItStays) {
   const auto output = [](double time) {
@@ -204,7 +204,8 @@ TEST_F(Series, StaysIfItsResultIsInterrupted) {
   expect_states(Reader(in("a.hdf")), {0.0, 1.0});
 }
 
-/// Writes outputs without end, and one byte into the pipe for each output that would survive a kill.
+/// Writes outputs without end, and one byte into the pipe `confirm` after each output that would survive a
+/// kill.
 [[noreturn]] void write_for_ever(const std::filesystem::path& part, int confirm) {
   SeriesJournal journal = SeriesJournal::create(part, "this run", "", layout());
   for (int i = 0;; ++i) {

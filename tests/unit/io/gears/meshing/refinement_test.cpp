@@ -79,8 +79,8 @@ TEST(Refinement, AddsNoPointNearerToAnotherThanPointsWereBefore) {
   }
 }
 
-// A corner of 0.1 degrees, and a border much finer at one end: the triangles there stay bad, and their number
-// stays small.
+// A corner of 0.1 degrees, and a border that is much finer at one end: the triangles in the corner stay bad,
+// but must stay few.
 TEST(Refinement, EndsInASharpCorner) {
   std::vector<PlanePoint> border{{0, 0}};
   for (int k = 1; k <= 50; ++k) border.push_back({k * 0.01, 0});

@@ -66,8 +66,8 @@ TEST_P(InDepths, AreTheSameAfterAThousandPeriods) {
   }
 }
 
-/// By Wheeler 1970, the surface under a crest has the velocity that linear theory gives at z = 0, and the bed
-/// has the velocity that it gives at the bed.
+/// With Wheeler's stretching (1970), water at the surface of a crest has the velocity of linear theory at z =
+/// 0, and water at the bed the velocity of linear theory at the bed.
 TEST(Airy, StretchingBringsTheSurfaceToZero) {
   const AiryWaves stretched = waves_in(20, true), linear = waves_in(20, false);
   const double crest = stretched.height({3, 0, 0}, 0.5);

@@ -45,8 +45,8 @@ TEST(UnitPoints, DependOnTheSeedAlone) {
     EXPECT_NE(unit_points(sampling, 20, 3, 1), unit_points(sampling, 20, 3, 2));
   }
 }
-// The samples of a smaller Sobol design are the first of a larger one, so that computed results can be used
-// again.
+// The samples of a Sobol design are the first samples of every larger design, so that computed results can be
+// used again.
 TEST(UnitPoints, OfSobolsSequenceStayWhenThereAreMore) {
   auto more = unit_points(Sampling::sobol, 64, 5, 9);
   more.resize(20);

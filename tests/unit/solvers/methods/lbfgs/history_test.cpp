@@ -55,7 +55,8 @@ TEST(Memory, LearnsADiagonalMatrixFromItsAxes) {
   EXPECT_LT(test::largest_difference(multiply(memory, {5, 6, 7}), {1, 1, 1}), 1e-14);
 }
 
-// With memory for two pairs, H has γ of (3) times the preconditioner on the first of three axes.
+// The memory has room for two pairs, so that it forgets the first of three axes: there, H is γ of (3) times
+// the preconditioner.
 TEST(Memory, ForgetsTheOldestPair) {
   Memory memory(2, 3);
   for (std::size_t i = 0; i < 3; ++i)
