@@ -17,8 +17,9 @@ namespace netloft::gears {
 /// Fibres, wires and links fill only a fraction of the cross-section of a line; water fills the rest. An
 /// element that treats a line as a homogeneous cylinder has the correct weight in water with the density
 ///   ρ = ρ_w + m/A (1 − ρ_w/ρ_m),   A = π d²/4      (1)
-/// m [kg/m] mass of a metre, ρ_m [kg/m³] density of the material, d [m] diameter, ρ_w = 1025 kg/m³. (1) is
-/// not used for a part that states ρ itself. The volume of a piece, such as a float, follows from its mass:
+/// m [kg/m] mass per metre, ρ_m [kg/m³] density of the material, d [m] diameter, ρ_w = 1025 kg/m³. A part
+/// that states ρ itself keeps this ρ instead of (1). The volume of a piece, such as a float, follows from its
+/// mass:
 ///   V = m/ρ_m                                      (2)
 struct CataloguePart {
   std::string name;
@@ -42,19 +43,19 @@ class Catalogue {
 
   static Catalogue load_file(const std::filesystem::path& file, formats::Diagnostics& diagnostics);
 
-  /// Makes a catalogue from files that were read earlier, in that order, without opening any file. Files in
-  /// one folder belong together; files that are not TOML are skipped.
+  /// Makes a catalogue from files that were read earlier, in the order of `files`, without opening any file.
+  /// Files of one folder must be consecutive; files that are not TOML are skipped.
   static Catalogue recall(const std::vector<formats::SourceFile>& files, formats::Diagnostics& diagnostics);
 
-  /// Adds `by` to the file index of all places. Needed after the catalogue's files were appended to those of
-  /// other diagnostics.
+  /// Adds `by` to the file index of every place in the catalogue. This is needed after the files of the
+  /// catalogue were appended to the files of other diagnostics.
   void shift_files(int by);
 
-  /// The part of this name; nullptr if no part of these kinds has the name.
+  /// The part with this name and one of these kinds; nullptr if there is none.
   const CataloguePart* find(const std::string& name, const std::vector<std::string>& kinds) const;
   /// The parts in the order in which they were read.
   const std::vector<CataloguePart>& parts() const { return parts_; }
-  /// Groups of synonyms in the names of parts, in lower case.
+  /// Groups of words in part names that mean the same material, in lower case.
   const std::vector<std::vector<std::string>>& synonyms() const { return synonyms_; }
   const std::vector<formats::SourceFile>& files() const { return files_; }
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
@@ -83,7 +84,7 @@ class KeptCatalogue {
 
  private:
   std::vector<std::filesystem::path> own_;
-  formats::Diagnostics said_;  // messages of the loading
+  formats::Diagnostics said_;  // messages from loading the catalogue
   int first_file_ = 0;         // index of the catalogue's first file in the `diagnostics` of the last call
   std::shared_ptr<const Catalogue> catalogue_;
 };

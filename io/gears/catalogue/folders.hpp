@@ -9,15 +9,15 @@
 
 namespace netloft::gears {
 
-/// The folders that are searched for catalogues, in this order: `own`, which a file names; the folders in the
-/// variable NETLOFT_CATALOGUE, separated by colons; and the gear library. The library is
-/// share/netloft/gear-library/catalogue of the installation. A folder of the variable that cannot be read is
-/// an error.
+/// The folders that are searched for catalogues, in this order: the folders `own`, which a file names; the
+/// folders in the environment variable NETLOFT_CATALOGUE, separated by colons; and the gear library
+/// (share/netloft/gear-library/catalogue of the installation). If a folder in the variable cannot be read, an
+/// error is reported.
 std::vector<std::filesystem::path> catalogue_folders(formats::Diagnostics& diagnostics,
                                                      std::vector<std::filesystem::path> own = {});
 
-/// The folders that the key `catalogue` of a document names, relative to `folder`. A folder that cannot be
-/// read is an error.
+/// The folders that the key `catalogue` of a document names, relative to `folder`. If one of them cannot be
+/// read, an error is reported.
 std::vector<std::filesystem::path> named_folders(const formats::Value& document,
                                                  const std::filesystem::path& folder,
                                                  formats::Diagnostics& diagnostics);

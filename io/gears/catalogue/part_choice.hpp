@@ -9,11 +9,11 @@
 
 namespace netloft::gears {
 
-/// Whether the value of `twine`, `rope` or `float` names a part of the catalogue: "pe-braided-4mm", or { part
-/// = "pe-braided-4mm", diameter = "4.2 mm" }, where the other keys override those of the part.
+/// Whether the value of `twine`, `rope` or `float` names a part of the catalogue: either "pe-braided-4mm", or
+/// { part = "pe-braided-4mm", diameter = "4.2 mm" }, where the other keys override those of the part.
 bool names_a_part(const formats::Value& said);
 
-/// The keys whose value may be the name of a part. With them, `--set twine.EA=4` changes twine =
+/// The keys whose value may be the name of a part. For such a key, `--set twine.EA=4` changes twine =
 /// "pe-braided-4mm" to twine = { part = "pe-braided-4mm", EA = 4 }.
 const formats::NamingKeys& keys_that_name_parts();
 
@@ -23,8 +23,9 @@ const CataloguePart* choose_part(const formats::Value& said, const std::vector<s
                                  const std::string& path, const Catalogue& catalogue,
                                  formats::Diagnostics& diagnostics);
 
-/// A table of the numbers and curves of a part, overridden by those in `said`. Contains only keys for which
-/// `wanted(key)` is true. Places of numbers are that of `said`, where the user can change them.
+/// A table with the numbers and curves of a part, where values in `said` override those of the part. It
+/// contains only keys for which `wanted(key)` is true. All numbers have the place of `said`, where the user
+/// can change them.
 formats::Value spell_out(const formats::Value& said, const CataloguePart& part,
                          const std::function<bool(const std::string&)>& wanted);
 

@@ -24,7 +24,7 @@ std::vector<PartKey> line_numbers(const char* diameter, double thickest, double 
   };
 }
 
-/// The numbers of ropes, which may also have their weight per metre in water.
+/// The numbers of a rope: those of a line, and optionally its weight per metre in water.
 std::vector<PartKey> rope_numbers(const char* diameter) {
   auto numbers = line_numbers(diameter, 1, 1e12);
   numbers.push_back(
@@ -46,7 +46,7 @@ std::vector<PartKey> piece_numbers() {
   };
 }
 
-/// Adds numbers of a rigid body for its axes x aft, y outward, z up.
+/// Adds one number of a rigid body for each of its axes: x aft, y outward, z up.
 void add_axes(std::vector<PartKey>& numbers, const char* const (&names)[3], const char* unit, const char* doc,
               double most) {
   for (const char* name : names) numbers.push_back({name, unit, doc, -most, most});

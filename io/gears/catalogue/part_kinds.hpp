@@ -19,12 +19,12 @@ struct PartKey {
 /// A kind of catalogue entries: `[twine.NAME]`, `[chain.NAME]`, …
 struct PartKind {
   const char* name;
-  const char* key;  // key in the part of a scene, such as `rope` for a chain; empty: none
+  const char* key;  // key in the part of a scene: `rope` for a chain; empty: none
   const char* doc;
   std::vector<PartKey> numbers;
   std::vector<const char*> texts = {};   // required texts besides source and uncertainty
   std::vector<const char*> tables = {};  // tables of curves, which are passed on unchanged
-  std::vector<const char*> beside = {};  // tables passed on unchanged, beside `key` in the part of a scene
+  std::vector<const char*> beside = {};  // tables copied unchanged next to `key` in the part of a scene
 };
 
 std::span<const PartKind> part_kinds();

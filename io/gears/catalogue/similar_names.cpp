@@ -36,7 +36,7 @@ std::string joined(const Words& words) {
   return name;
 }
 
-/// The group of synonyms with a word; the word alone if there is none.
+/// The group of synonyms that contains a word; the word alone if no group contains it.
 Words synonyms_of(const std::string& word, const std::vector<Words>& groups) {
   for (const auto& group : groups)
     if (std::find(group.begin(), group.end(), word) != group.end()) return group;
@@ -52,9 +52,9 @@ std::optional<double> diameter_in(const std::string& word) {
   return 1e-3 * millimetres;
 }
 
-/// The name that differs in the fewest letters, possibly after a word is replaced by a synonym. At most a
-/// sixth of the letters, or a single one, may be wrong, because names of different materials may differ in
-/// few letters.
+/// The name with the smallest number of different letters, possibly after a word is replaced by a synonym. At
+/// most a sixth of the letters, or a single letter, may differ, because names of different materials may
+/// differ in few letters.
 std::optional<std::string> nearest_spelling(const std::string& name, const std::vector<std::string>& names,
                                             const std::vector<Words>& groups) {
   std::optional<std::string> best;
@@ -77,8 +77,8 @@ std::optional<std::string> nearest_spelling(const std::string& name, const std::
   return best;
 }
 
-/// Number of words of a name (without the diameter) that do not occur in the name of a part, not even as a
-/// synonym.
+/// The number of words in a name (without the diameter) that occur neither themselves nor as synonyms in the
+/// name of a part.
 std::size_t other_words(const Words& words, const Words& of_part, const std::vector<Words>& groups) {
   return static_cast<std::size_t>(std::count_if(words.begin(), words.end(), [&](const std::string& word) {
     const Words same = synonyms_of(word, groups);
@@ -99,7 +99,7 @@ struct Similar {
   auto operator<=>(const Similar&) const = default;
 };
 
-/// The parts that have at least one word of the name, the most similar first.
+/// The parts whose names share at least one word with `name`, the most similar first.
 std::vector<Similar> with_common_words(const std::string& name,
                                        const std::vector<const CataloguePart*>& parts,
                                        const std::vector<Words>& groups) {
@@ -115,7 +115,7 @@ std::vector<Similar> with_common_words(const std::string& name,
   return found;
 }
 
-/// The names of the first parts with the same diameter, or of the first parts if none has it.
+/// The names of the most similar parts with the same diameter, or of the most similar parts if none has it.
 std::vector<std::string> first_names(const std::vector<Similar>& found) {
   constexpr double kSame = 1e-6;  // [m]
   std::vector<std::string> names;

@@ -173,7 +173,7 @@ class Draughtsman {
     return scale_(placed.on_sheet(p));
   }
 
-  /// Labels of the netting are on the port half, labels of the cuttings on the starboard half.
+  /// Writes the labels of the netting on the port half and the labels of the cuttings on the starboard half.
   void draw_labels(const PlacedPanel& placed) {
     if (placed.is_mirrored) return;
     for (const auto& edge : placed.outline.edges) draw_edge_label(placed, edge);
@@ -212,8 +212,8 @@ class Draughtsman {
     }
   }
 
-  /// Puts the text where it overlaps no other: in the middle of the panel; in two lines, if the panel is
-  /// short; beside its middle; or, as for narrow panels, to port at one of three heights.
+  /// Puts the text where it overlaps no other text: in the middle of the panel, in two lines if the panel is
+  /// short; beside the middle; or to port at one of three heights, as for narrow panels.
   void draw_words(const PlacedPanel& placed) {
     const std::vector<TextBlock> places = places_of_words(placed);
     const TextBlock* best = &places.back();
@@ -281,7 +281,8 @@ class Draughtsman {
     return scale_({0, middle}).y - height_of(lines) / 2 + 0.8 * kNormal;
   }
 
-  /// The extent of a panel at one height of the sheet, from border to border; a middle panel has both halves.
+  /// The extent of a panel across the sheet at the height y, from border to border. For a middle panel, it
+  /// includes both halves.
   Box across_at(const PlacedPanel& placed, double y) const {
     Box box;
     for (const auto& edge : placed.outline.edges) {
@@ -295,7 +296,7 @@ class Draughtsman {
   }
 
   /// Draws a scale bar. Its length is a round number of metres, about an eighth of the width of the sheet.
-  /// Across the gear, the bar measures half of the stretched width.
+  /// Across the gear, the same bar represents half of the stretched width.
   void draw_scale() {
     const double wanted = kWidth / 8 / scale_.per_metre, power = std::pow(10, std::floor(std::log10(wanted)));
     const double metres = wanted >= 5 * power ? 5 * power : wanted >= 2 * power ? 2 * power : power;

@@ -12,8 +12,7 @@ constexpr double kMeanLetter =
     0.58;  // mean width of a letter of Noto Sans relative to its size; most other fonts are narrower
 constexpr double kRim = 4;      // least distance of texts from the edge of the drawing
 constexpr double kBetween = 4;  // texts on one line that are closer than this look like one text
-// With this number of texts, a sheet is full. Searching free places for further texts would take time and
-// find none.
+// The largest number of texts for which a free place is searched. A sheet with so many texts is full.
 constexpr std::size_t kMostAvoided = 2000;
 
 double size_of(std::size_t line) { return line == 0 ? Lettering::kNormal : Lettering::kSmall; }

@@ -29,7 +29,7 @@ class Lettering {
              formats::Anchor anchor);
   /// Writes a block, the first line in normal size and the others in small size.
   void write(const TextBlock& block, const char* colour);
-  /// Area in which a block would overlap earlier texts or cross the edge of the drawing.
+  /// The area in which a block would overlap earlier texts or cross the edge of the drawing.
   double overlap(const TextBlock& block) const;
 
  private:
@@ -44,7 +44,7 @@ class Lettering {
   std::vector<Area> taken_;
 };
 
-/// Breaks a text at spaces into lines of at most the length `longest`, unless a single word is longer.
+/// Breaks a text at spaces into lines no longer than `longest`. A single longer word gets a line of its own.
 std::vector<std::string> broken_into_lines(const std::string& text, double size, double longest);
 
 }  // namespace netloft::gears

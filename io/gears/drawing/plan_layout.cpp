@@ -46,7 +46,7 @@ std::optional<Seam> seam_of(EdgeSet a, EdgeSet b) {
 struct PanelBox {
   double left = INFINITY, right = -INFINITY, fore = INFINITY, aft = -INFINITY;
 
-  /// Whether two panels overlap, and do not only touch.
+  /// Whether two panels overlap in an area, not only touch.
   bool is_on(const PanelBox& other) const {
     const double across = std::min(right, other.right) - std::max(left, other.left);
     const double deep = std::min(aft, other.aft) - std::max(fore, other.fore);
@@ -131,16 +131,15 @@ class Sheet {
     next_ += (1 + kGap) * (right - left);
   }
 
-  /// A panel that is to be placed if it has no place yet, its position, and for a pair the x of its mirror
-  /// image.
+  /// A panel to be placed if it has no place yet, its position, and, for a panel of a pair, the x about which
+  /// it is mirrored.
   struct Next {
     const Panel* panel;
     double x, y, mirror_about;
   };
 
-  /// Places the panel and all unplaced panels that are sewn to its fore and aft edges, directly or through
-  /// others. A list of waiting panels, taken from its end, replaces recursion, because a plan may have very
-  /// many panels in a row.
+  /// Places a panel and all unplaced panels that are connected to it by seams of fore and aft edges. A list
+  /// of waiting panels replaces recursion, because a plan may have very many panels in a row.
   void place(const Panel& first, double x, double y) {
     std::vector<Next> next{{&first, x, y, mirror_about_}};
     while (!next.empty()) {
@@ -156,9 +155,9 @@ class Sheet {
     }
   }
 
-  /// Stores the place of a panel, unless the panel would overlap panels of the previous column. Returns
-  /// whether the place was stored. A panel that overlaps others begins a new column, such as the lower panel
-  /// that is sewn to the same tube as the upper one.
+  /// Stores the place of a panel and returns true, unless the panel would overlap a panel that is already in
+  /// the column. A panel that would overlap begins a new column: for example, the lower panel that is sewn to
+  /// the same tube as the upper panel.
   bool takes_its_place(const Next& now) {
     const PanelBox own = box_around({now.panel, now.panel->outline, now.x, now.y, false});
     for (const PanelBox& other : taken_)

@@ -6,8 +6,8 @@
 
 namespace netloft::gears {
 
-/// The position of the outline of a panel on the sheet. A plan is drawn to the scale of stretched length
-/// along the gear and half the stretched width across (ISO 3169), the width at a hanging ratio of 0.5.
+/// The position of the outline of a panel on the sheet. A plan is drawn with the stretched length along the
+/// gear and half of the stretched width across (ISO 3169), which is the width at a hanging ratio of 0.5.
 struct PlacedPanel {
   const Panel* panel = nullptr;
   Outline outline;

@@ -4,8 +4,8 @@
 
 namespace netloft::gears {
 
-/// A closed border. Its sides are sorted into bands of height, so that a point has to be tested against few
-/// sides only. The border must outlive this object.
+/// A closed border. Its sides are sorted into bands of height, so that a point is tested only against the
+/// sides in its band. The border must outlive this object.
 class BorderSides {
  public:
   /// `reach` > 0: a point that is nearer than this to a side counts as outside.

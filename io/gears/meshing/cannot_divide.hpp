@@ -10,8 +10,8 @@
 namespace netloft::gears {
 
 /// Thrown if a seam or a panel cannot be divided into elements. Contains a sentence for the user and a cure.
-/// Seam and panel are given by index and name, because the data that are divided have no places in files
-/// (division.hpp).
+/// The seam is given by its index and the panel by its name, because the input of the division contains no
+/// places in files (division.hpp).
 class CannotDivide : public std::invalid_argument {
  public:
   static CannotDivide seam(std::size_t join, const std::string& what, std::string cure) {

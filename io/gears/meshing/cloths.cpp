@@ -15,7 +15,8 @@ PanelPoint between(PanelPoint a, PanelPoint b, double t) {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
 }
 
-/// Divides panels into cloths, pieces without symmetry; the member functions are steps in their order.
+/// Divides panels into cloths, which have no symmetry; the member functions are steps in the order of
+/// execution.
 class Cutter {
  public:
   explicit Cutter(const Gear& gear) : gear_(gear) {}
@@ -127,7 +128,7 @@ class Cutter {
     all_.sides.push_back(side);
   }
 
-  /// Names the corners of a cloth. Both corners of a side without extent are at the point where its
+  /// Names the corners of a cloth. If a side has no extent, both its corners are the point where its
   /// neighbours meet.
   void name_corners() {
     Cloth& cloth = all_.cloths.back();

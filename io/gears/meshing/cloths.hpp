@@ -25,7 +25,7 @@ struct ClothSide {
 };
 
 /// A piece of netting without symmetry: a panel of a pair, a single panel, or one half of a middle panel. Its
-/// sides are counter-clockwise with x outwards and y aft, beginning at the inner fore corner, so that
+/// sides are listed counter-clockwise, with x outwards and y aft, from the inner fore corner, so that
 /// corresponding sides to port and to starboard have the same index.
 struct Cloth {
   std::size_t panel = 0;
@@ -36,8 +36,8 @@ struct Cloth {
 };
 
 /// Returns the position [m] of a point of a panel in half-open netting, whose bars are at 30 degrees to the
-/// aft direction: x = U m sin 30°, y = V m cos 30°, with U, V the meshes across and deep, m [m] the mesh
-/// size. In square netting and turned netting, meshes are opened to squares instead.
+/// aft direction: x = U m sin 30°, y = V m cos 30°, where U, V [meshes] are the coordinates across and deep,
+/// and m [m] is the mesh size. In square netting and turned netting, meshes are opened to squares instead.
 PanelPoint spread(const Panel& panel, PanelPoint point);
 
 struct Cloths {

@@ -67,9 +67,9 @@ void Delaunay::start(const std::array<std::uint32_t, 3>& corners) {
   for (const std::uint32_t v : {a, b, c}) one_at_[v] = 0;
 }
 
-/// The triangle that contains p, or, if p is outside the hull, an outer triangle that can see p. Requires
-/// that no side is held. The walk crosses any side that has p beyond it; in a Delaunay triangulation, this
-/// always leads to p.
+/// The triangle that contains p, or, if p is outside the hull, an outer triangle whose hull side is visible
+/// from p. Requires that no side is held. The walk crosses any side that has p beyond it; in a Delaunay
+/// triangulation, such a walk always reaches p.
 std::uint32_t Delaunay::walk(std::uint32_t t, const PlanePoint& p) const {
   if (is_far(t)) t = triangles_[t].across[corner_of(t, kFar)];
   for (int k = 0; k < 3 && !is_far(t);) {
@@ -97,8 +97,8 @@ bool Delaunay::circles(std::uint32_t t, std::uint32_t point) const {
   return side > 0 || (side == 0 && (a < p) == (p < b));
 }
 
-/// Inserts a point by the method of Bowyer (Comput. J. 24 (1981) 162) and Watson: beginning at t, the
-/// triangles whose circles contain the point are replaced by triangles with the point.
+/// Inserts a point by the method of Bowyer (Comput. J. 24 (1981) 162) and Watson: the triangles whose circles
+/// contain the point are replaced by triangles with the point. The search for these triangles begins at t.
 void Delaunay::insert(std::uint32_t point, std::uint32_t t) {
   dig(point, t);
   fill(point);

@@ -32,8 +32,8 @@ class Delaunay {
   const std::vector<PlanePoint>& points() const { return points_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
 
-  /// Makes the line between two points a held side, or several sides if points are on the line. Throws
-  /// std::invalid_argument if it crosses a held side.
+  /// Makes the line between two points a held side, or several held sides if other points are on the line.
+  /// Throws std::invalid_argument if the line crosses a held side.
   void hold(std::uint32_t a, std::uint32_t b);
 
   /// Marks the triangles that cannot be reached from kFar without crossing a held side.
@@ -44,11 +44,11 @@ class Delaunay {
   void restore();
 
   /// The triangle that contains `p`, found along the straight line from corner k of triangle t to p. The
-  /// result is kFar if the line does not begin within this triangle, if it crosses a held side or the hull,
-  /// or if p lies on one of these or on another point.
+  /// result is kFar if the line does not begin within triangle t, if it crosses a held side or the hull, or
+  /// if p lies on a held side, on the hull or on another point.
   std::uint32_t seen_from(std::uint32_t t, int k, const PlanePoint& p) const;
 
-  /// Adds a point within a triangle, or on one of its sides that is not held. Returns the triangles around
+  /// Adds a point within triangle t, or on one of its sides that is not held. Returns the triangles around
   /// the point.
   const std::vector<std::uint32_t>& add(const PlanePoint& p, std::uint32_t t);
 

@@ -77,7 +77,7 @@ bool is_same(const Rope& a, const Rope& b) {
   return all(a) == all(b);
 }
 
-/// Throws CannotDivide about a seam of the whole gear that cannot be sewn.
+/// Throws CannotDivide if a seam of the whole gear cannot be sewn.
 void require_sewable(const NetPlan& plan) {
   const Gear gear = make_gear(plan, Extent::whole);
   const Fineness usual;
@@ -118,8 +118,7 @@ Division::Division(DivisionInput input)
 std::shared_ptr<Division> Divisions::of(const NetPlan& plan, Extent extent, const Fineness& fineness,
                                         const std::shared_ptr<Division>& like) {
   return recent_.of({geometry_of(plan), extent, fineness, like}, [](const DivisionInput& input) {
-    const bool is_sewn = input.like != nullptr;  // the seams are sewn along the same lines as those of the
-                                                 // other gear
+    const bool is_sewn = input.like != nullptr;  // its seams are those of the other gear
     if (input.extent == Extent::half && !is_sewn)
       require_sewable(input.geometry);  // for a whole gear, the division itself finds such seams
     return std::make_shared<Division>(input);

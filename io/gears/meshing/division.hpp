@@ -7,7 +7,7 @@
 
 namespace netloft::gears {
 
-/// Copies only the data of a plan on which its division into elements depends, without materials, pieces,
+/// Copies only those data of a plan that its division into elements depends on: without materials, pieces,
 /// positions, tensions, the ship, and places in files.
 NetPlan geometry_of(const NetPlan& plan);
 
@@ -45,7 +45,7 @@ class Division {
 };
 
 /// Divides gears. Stores the last few divisions and reuses them for plans with the same geometry. Throws
-/// CannotDivide, even for half a gear if its mirror image could not be sewn to it. `like` has the same
+/// CannotDivide, also for half a gear that could not be sewn to its mirror image. `like` must have the same
 /// extent; see divide_alike() in gear_mesh.hpp.
 class Divisions {
  public:

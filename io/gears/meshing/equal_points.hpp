@@ -5,7 +5,7 @@
 
 namespace netloft::gears {
 
-/// Sets of identical points, from pairs of points that have been found identical (disjoint sets, Tarjan
+/// Sets of identical points, built from pairs of points that are known to be identical (disjoint sets, Tarjan
 /// 1975).
 class EqualPoints {
  public:

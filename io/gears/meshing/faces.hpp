@@ -7,8 +7,8 @@
 
 namespace netloft::gears {
 
-/// Pieces of netting that are known to show the same face outwards, or opposite faces (disjoint sets with
-/// parity). If these statements contradict each other, the net is twisted and has no outside.
+/// Pieces of netting that are known to have the same face outwards, or opposite faces (disjoint sets with
+/// parity). If two statements about faces contradict each other, the net is twisted and has no outside.
 class Faces {
  public:
   explicit Faces(std::size_t pieces) : parent_(pieces), is_turned_(pieces, false) {

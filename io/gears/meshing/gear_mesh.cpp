@@ -142,8 +142,8 @@ class Divider {
   }
 
   /// Finds for each cloth whether its counter-clockwise triangles are also counter-clockwise seen from
-  /// outside the net. The first panel is assumed to be the upper one. On its starboard side, seen from above,
-  /// the rotation from outwards to aft is clockwise.
+  /// outside the net. The first panel is assumed to be the upper one. Seen from above, the rotation from
+  /// outwards to aft is clockwise on its starboard side.
   void find_senses() {
     std::map<std::size_t, int> senses;  // by the representative of connected pieces (faces.hpp)
     for (std::size_t c = 0; c < cloths_.cloths.size(); ++c) {
@@ -189,7 +189,7 @@ class Divider {
     }
   }
 
-  /// Fills the cloths with the triangles of another gear, which are moved with the borders.
+  /// Fills the cloths with the triangles of another gear, whose inner nodes are moved with the borders.
   void move_cloths(const MeshTopology& like) {
     for (std::size_t c = 0; c < cloths_.cloths.size(); ++c) {
       const Panel& panel = *gear_.panels[cloths_.cloths[c].panel].panel;
@@ -248,9 +248,9 @@ class Divider {
     return std::minmax(tag(c, side[0]), tag(c, side[1]));
   }
 
-  /// Separates triangle sides that coincide without being sewn together, because they connect the same two
-  /// nodes of the gear, and sides whose two ends are the same node. Such sides occur near sharp corners and
-  /// where seams end in a point. Each of them gets a node in its middle. Returns whether there were any.
+  /// Separates triangle sides that connect the same two nodes of the gear without being sewn together, and
+  /// sides whose two ends are the same node. Such sides occur near sharp corners and where seams end in a
+  /// point. Each of them gets a node in its middle. Returns whether there were any.
   bool part_doubled_sides() {
     std::map<std::pair<Tag, Tag>, int> times;
     for (const auto& nodes : line_nodes_)
@@ -355,7 +355,8 @@ class Divider {
     for (const auto& [name, s] : cloth.corners) add_corner(cloth, border, own, name, s);
   }
 
-  /// Adds nodes to the set of an edge, so that the halves of an edge follow each other in its direction.
+  /// Adds the nodes of a side to the set of its edge. The halves of an edge follow each other in its
+  /// direction.
   void add_to_edge(const Cloth& cloth, const ClothSide& side, std::vector<std::uint32_t> nodes) {
     if (side.is_reversed) std::reverse(nodes.begin(), nodes.end());
     auto& set = mesh_.panels[cloth.panel].sets[gear_.panels[cloth.panel].outline.edges[side.edge.edge].name];
@@ -434,9 +435,9 @@ class Divider {
   std::vector<std::vector<std::uint32_t>> line_nodes_;
   std::vector<Border> borders_;    // border of each cloth
   std::vector<PlaneMesh> planes_;  // triangles of each cloth
-  // For each panel, the nodes on its middle: their numbers within the panel, by their number in the gear. One
-  // node of the gear may have several numbers in a panel, because seams and ropes may join places on the
-  // middle.
+  // For each panel, its nodes on the middle line: their numbers within the panel, by their number in the
+  // gear. One node of the gear may have several numbers in a panel, because seams and ropes may join places
+  // on the middle line.
   std::map<std::size_t, std::map<std::uint32_t, std::vector<std::uint32_t>>> in_middle_;
   std::vector<int> senses_;  // orientation of each cloth
   GearMesh mesh_;

@@ -19,14 +19,15 @@ struct Fineness {
   bool knots = false;
   std::size_t nodes = 2000;  // approximate number of nodes of ropes and netting in the modelled part
   double size = 0;           // length of triangle sides in half-open netting [m]; if not 0, replaces `nodes`
-  // Factors by which triangle sides and bars of single panels or ropes are shorter than elsewhere.
+  // Factors by which triangle sides of the named panels, or bars of the named ropes, are shorter than
+  // elsewhere.
   std::map<std::string, double> finer;
   bool operator==(const Fineness&) const = default;
 };
 
 /// A panel divided into triangles. Its nodes are numbered from 0; each of them is also a node of the gear.
 struct PanelMesh {
-  // For each node of the panel: its number in the gear, and (U, V), counted in meshes outwards and aft.
+  // For each node of the panel: its number in the gear, and its coordinates (U, V) outwards and aft [meshes].
   std::vector<std::uint32_t> nodes;
   std::vector<std::array<double, 2>> meshes;
   std::vector<std::uint32_t> triangles;  // 3 nodes of the panel each, counter-clockwise seen from outside
@@ -47,8 +48,8 @@ struct MeshQuality {
   std::size_t triangles = 0;
 };
 
-/// All decisions of a division, from which a gear with slightly different lengths and counts can be divided
-/// in the same way: its mesh has the same nodes and elements, in other places.
+/// All decisions of a division. With them, a gear with slightly different lengths and counts gets a mesh with
+/// the same nodes and elements, only in other places.
 struct MeshTopology {
   double size = 0;                               // size of elements in half-open netting [m]
   std::size_t points = 0;                        // number of points at which lines of knots end
@@ -59,8 +60,8 @@ struct MeshTopology {
   std::vector<std::size_t> borders;  // for each cloth, the number of points of its border
 };
 
-/// A gear divided into elements: all panels and ropes that meet at a point of a seam or a hanging share one
-/// node there. The mesh has no positions yet (start_shape.hpp). Panels and ropes have the order of the gear.
+/// A gear divided into elements. Panels and ropes that meet at a point of a seam or a hanging share one node
+/// there. The mesh has no positions yet (start_shape.hpp). Panels and ropes are in the order of the gear.
 struct GearMesh {
   std::size_t nodes = 0;
   std::vector<PanelMesh> panels;
@@ -71,13 +72,13 @@ struct GearMesh {
   std::shared_ptr<const MeshTopology> topology;
 };
 
-/// Divides every panel into triangles, in coordinates counted in meshes (section 2.2 of the trawl-gear
-/// paper), and ropes into bars.
+/// Divides every panel into triangles, in panel coordinates [meshes] (section 2.2 of the trawl-gear paper),
+/// and every rope into bars.
 ///
 /// If every knot is a node, the triangles in half-open netting (bars at 30 degrees to the aft direction) are
 /// equilateral. Two sides of each triangle are bars, one of each twine direction, and every bar is a side of
-/// two triangles. Priour's triangle has the energy of half a bar of each direction, so that the triangles
-/// together have exactly the energy of the bars. Only triangles along borders have other shapes, because
+/// two triangles. Priour's triangle has the energy of half a bar of each direction. The triangles together
+/// therefore have exactly the energy of the bars. Only triangles along borders have other shapes, because
 /// borders are straight instead of stepped.
 ///
 /// Throws std::invalid_argument, with a sentence for the user, for a panel whose border crosses itself, and

@@ -25,7 +25,7 @@ double area_of(const Gear& gear, const Fineness& fineness) {
   return area;
 }
 
-/// Total length of all ropes except warps, because bars of warps have another length.
+/// Total length [m] of all ropes except warps. The bars of warps have a length of their own.
 double length_of(const Gear& gear) {
   double length = 0;
   for (const auto& rope : gear.ropes)

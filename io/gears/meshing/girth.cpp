@@ -33,8 +33,8 @@ bool are_mirror_images(const Gear& gear, const EdgeRef& one, const EdgeRef& othe
   return a.panel == b.panel && a.is_mirrored != b.is_mirrored && kind_of(gear, one) == kind_of(gear, other);
 }
 
-/// Whether outwards in panel `one` continues across the seam as inwards in panel `other`. In a panel and in
-/// its mirror image, outwards means away from the middle.
+/// Whether the outward direction of panel `one` continues across the seam as the inward direction of panel
+/// `other`. In a panel and in its mirror image, outwards means away from the middle.
 bool turns(const Gear& gear, const Seam& seam, const EdgeRef& one, const EdgeRef& other) {
   if (are_mirror_images(gear, one, other)) return false;
   const auto comes_back = [&](const EdgeRef& ref) {
@@ -44,7 +44,7 @@ bool turns(const Gear& gear, const Seam& seam, const EdgeRef& one, const EdgeRef
   return (a == b && is_lateral(a)) != (comes_back(one) != comes_back(other));
 }
 
-/// Number of meshes outwards, counted from the middle in a middle panel, otherwise from the start of the
+/// The coordinate U outwards [meshes], from the middle in a middle panel, otherwise from the start of the
 /// inner side.
 double outwards(const GearPanel& panel, double U) {
   return panel.panel->stands == Standing::middle ? std::abs(U) : U;
@@ -113,7 +113,7 @@ void Girth::find_closed(const Gear& gear, const GearMesh& mesh) {
   }
 }
 
-/// Finds the side of every node of the netting, -1 to port and 1 to starboard. Other nodes keep 1.
+/// Finds on which side every node of the netting lies: -1 to port, 1 to starboard. Other nodes keep 1.
 void Girth::find_sides(const Gear& gear, const GearMesh& mesh) {
   for (std::size_t p = 0; p < mesh.panels.size(); ++p)
     for (std::size_t own = 0; own < mesh.panels[p].nodes.size(); ++own) {
@@ -179,16 +179,16 @@ void Girth::find_folds(const Gear& gear) {
         folds_[p].push_back({p, e});
 }
 
-/// Whether a fold (a side edge sewn to its mirror image) is at the bottom of the net. It is if, of both sides
-/// of its panel, it is the one farther from the top: the outer side if the distance from the top increases
-/// outwards, otherwise the inner side.
+/// Whether a fold (a side edge sewn to its mirror image) is at the bottom of the net: whether it is on the
+/// side of its panel that is farther from the top. This is the outer side if the distance from the top
+/// increases outwards, otherwise the inner side.
 bool Girth::is_below(const Gear& gear, const EdgeRef& fold) const {
   return (kind_of(gear, fold) == EdgeKind::outer) == (sense_[fold.panel] > 0);
 }
 
-/// Fills `bottom_` with pairs of a distance aft and the half girth S there. S is known at nodes of a lower
-/// middle panel, and at nodes on folds at the bottom. If there are no such nodes, the net is open at the
-/// bottom; S is then twice the largest distance from the top, at all distances aft.
+/// Fills `bottom_` with pairs (distance aft, half girth S at this distance). S is known at nodes on the
+/// middle of a lower middle panel, and at nodes on folds at the bottom. If there are no such nodes, the net
+/// is open at the bottom, and S is twice the largest distance from the top, at every distance aft.
 void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
   double most = 0;
   own_.assign(mesh.nodes, 0);

@@ -22,7 +22,7 @@ class Girth {
   /// Whether the node belongs to an end of the bag that is sewn to itself.
   bool is_closed(std::uint32_t node) const { return closed_[node]; }
   /// Half the girth at a node [m]: the distance along the girth through this node, from the top to the middle
-  /// of the lower panel. If it is unknown at this distance aft, it is interpolated between other distances.
+  /// of the lower panel. If it is unknown at the node's distance aft, it is interpolated between known ones.
   double half_girth(std::uint32_t node) const;
 
  private:

@@ -80,7 +80,7 @@ void Delaunay::hold(std::uint32_t a, std::uint32_t b) {
   }
 }
 
-/// The first point on the line from a to b, and the sides that are crossed before it.
+/// The first point on the line from a to b, and the sides that the line crosses before this point.
 std::pair<std::uint32_t, std::vector<Delaunay::Ends>> Delaunay::crossed_sides(std::uint32_t a,
                                                                               std::uint32_t b) const {
   std::vector<Ends> crossed;
@@ -98,7 +98,7 @@ std::pair<std::uint32_t, std::vector<Delaunay::Ends>> Delaunay::crossed_sides(st
 }
 
 /// The first side that the line from a to b crosses: the side opposite to a in a triangle at a. If the line
-/// runs along a side that begins at a, that side.
+/// runs along a side that begins at a, the result is that side.
 Delaunay::Side Delaunay::first_crossed(std::uint32_t a, std::uint32_t b) const {
   std::uint32_t t = one_at_[a];
   do {
@@ -112,7 +112,7 @@ Delaunay::Side Delaunay::first_crossed(std::uint32_t a, std::uint32_t b) const {
   throw std::logic_error("no triangle at a point faces another point");
 }
 
-/// Whether a point is b, or lies on the line between a and b.
+/// Whether a point is b or lies on the line between a and b.
 bool Delaunay::is_between(std::uint32_t point, std::uint32_t a, std::uint32_t b) const {
   if (point == b) return true;
   const PlanePoint &p = points_[point], &from = points_[a], &to = points_[b];

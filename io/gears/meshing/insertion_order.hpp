@@ -7,7 +7,7 @@
 
 namespace netloft::gears {
 
-/// The numbers of points in their order along Hilbert's curve, in which successive points are close together.
+/// The indices of points in their order along Hilbert's curve, in which successive points are close together.
 /// The points must not all coincide.
 std::vector<std::uint32_t> hilbert_order(const std::vector<PlanePoint>& points);
 

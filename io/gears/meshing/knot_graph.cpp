@@ -9,7 +9,7 @@ namespace netloft::gears {
 
 namespace {
 
-constexpr double kTie = 1e-9;  // weight towards zero, for values that nothing else determines
+constexpr double kTie = 1e-9;  // weight of the value zero, for fields that nothing else determines
 constexpr double kHold = 1e9;  // weight of a given value; all others have weight one
 
 }  // namespace
@@ -75,7 +75,7 @@ class GainFactors {
   GainFactors(std::size_t nodes, const std::vector<Gain>& gains, const std::vector<std::uint32_t>& fixed)
       : factors_(matrix_of(nodes, gains, fixed)) {}
 
-  /// The field for the right-hand side `load` of the gains and the given values `fixed`.
+  /// The field for the right-hand side `load` (from the gains) and the given values `fixed`.
   std::vector<double> solve(Eigen::VectorXd load,
                             const std::vector<std::pair<std::uint32_t, double>>& fixed) const {
     for (const auto& [node, value] : fixed) load[static_cast<Index>(node)] += kHold * value;

@@ -19,9 +19,8 @@ struct Gain {
   double gain, weight;
 };
 
-/// The field whose differences fit the gains best in the sense of least squares, with given values at the
-/// nodes of `fixed`. A small weight towards zero determines the field on pieces of the mesh without a given
-/// value.
+/// The least-squares fit of a field to the desired differences `gains`, with given values at the nodes of
+/// `fixed`. A small weight towards zero determines the field on parts of the mesh without a given value.
 std::vector<double> by_gains(std::size_t nodes, const std::vector<Gain>& gains,
                              const std::vector<std::pair<std::uint32_t, double>>& fixed);
 

@@ -17,10 +17,10 @@ int turn(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);
 /// on it.
 int in_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d);
 
-/// Like in_circle() for four different points, but never 0 if three points turn to the left: points are
-/// lifted from the paraboloid by infinitesimal amounts, and a point that is greater (by x, then by y) by an
-/// infinitely larger amount (Devillers and Teillaud, Comput. Geom. 44 (2011) 160). The Delaunay triangulation
-/// of different points is thus unique.
+/// Like in_circle() for four different points, but never 0 if three of them turn to the left. Each point is
+/// lifted from the paraboloid by an infinitesimal amount; in the order by x, then y, each amount is
+/// infinitely larger than the previous one (Devillers and Teillaud, Comput. Geom. 44 (2011) 160). The
+/// Delaunay triangulation of different points is thus unique.
 int in_lifted_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d);
 
 }  // namespace netloft::gears

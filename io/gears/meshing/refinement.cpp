@@ -17,7 +17,7 @@ PlanePoint minus(const PlanePoint& a, const PlanePoint& b) { return {a[0] - b[0]
 double dot(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[0] + a[1] * b[1]; }
 double cross(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-/// A triangle to be refined. In the order of these triangles, the worst is the greatest.
+/// A triangle to be refined. Triangles are ordered such that the worst one is the greatest.
 struct BadTriangle {
   double excess;      // square of the longest side over the allowed one; 0 if the side is short enough
   double sharpness;   // minus sin² of the least angle

@@ -9,10 +9,8 @@ namespace netloft::gears {
 
 namespace {
 
-constexpr double kRounding = 0.02;  // a rope whose excess over its edges is a smaller fraction has no free
-                                    // part
-constexpr double kLikely = 0.1;     // score of an edge that runs in its usual direction; two ends that meet
-                                    // have the score 1
+constexpr double kRounding = 0.02;  // a rope whose relative excess over its edges is less is nowhere free
+constexpr double kLikely = 0.1;     // score of an edge in its usual direction; two ends that meet score 1
 
 bool crosses(const Gear& gear, const GearRope& rope) {
   return gear.extent == Extent::whole && rope.rope->stands == Standing::middle;
@@ -105,8 +103,8 @@ class Rigger {
   std::size_t start(const Row& row) const { return borders_.start(row.front()); }
   std::size_t end(const Row& row) const { return borders_.end(row.back()); }
 
-  /// Chooses the directions of the edges so that as many ends as possible meet, by dynamic programming over
-  /// both directions of each edge.
+  /// Chooses the direction of each edge so that as many ends of edges as possible meet, by dynamic
+  /// programming over both directions of each edge.
   void direct(const GearRope& rope, std::vector<HungRow>& rows) {
     if (rows.empty()) return;
     std::vector<std::array<double, 2>> best(rows.size());
@@ -166,7 +164,7 @@ class Rigger {
 
   /// A place before, between or after the hung edges of a rope, where a part of the rope may be free.
   struct Gap {
-    std::size_t before = 0;  // index of the stretch after the gap
+    std::size_t before = 0;  // index of the stretch that follows the gap
     std::size_t from = 0, to = 0;
     double weight = 1;
   };
@@ -230,8 +228,8 @@ class Rigger {
     for (std::size_t k = 1; k < course.size(); ++k) borders_.points.unite(course[k - 1].to, course[k].from);
   }
 
-  /// Puts the middle of a whole rope at half its length if the rope is free there, otherwise at an end of an
-  /// edge.
+  /// Puts the middle of a rope of a whole gear at half its length if the rope is free there, otherwise at an
+  /// end of an edge.
   void put_middle(const GearRope& rope, RopeCourse& course) {
     if (!crosses(gear_, rope)) return;
     const std::size_t middle = point(rope.name + ".middle");

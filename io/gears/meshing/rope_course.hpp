@@ -25,9 +25,9 @@ struct RopeCourses {
 
 /// Finds the courses of ropes along the edges hung on them. The direction of each edge is chosen so that
 /// edges meet each other and the points to which the rope is tied. If a rope is longer than its edges, the
-/// excess becomes free stretches. These are placed where consecutive edges do not meet. If all edges meet,
-/// they are placed at ends that are not tied: both ends of a rope across the middle, or the end of another
-/// rope. An excess below 2 % of the rope is distributed among the edges instead.
+/// excess becomes free stretches between consecutive edges that do not meet. If all edges meet, the free
+/// stretches are at ends that are not tied: at both ends of a rope across the middle, or at the end of
+/// another rope. An excess below 2 % of the rope is distributed among the edges instead.
 RopeCourses run_ropes(const Gear& gear, Borders& borders);
 
 }  // namespace netloft::gears

@@ -110,7 +110,7 @@ class LineMaker {
     return all_.lines.size() - 1;
   }
 
-  /// A run, which is a part of a side along one line, by its index along the side.
+  /// A run (a part of a side along one line), given by its index along the side.
   struct RunOfSide {
     DirectedSide side;
     std::size_t run;
@@ -184,8 +184,8 @@ class LineMaker {
         "edge, or turn its panel in the plan");
   }
 
-  /// Lets a run of a side use a line. If two sides give the line different lengths, for instance because of
-  /// different mesh sizes, the line gets their geometric mean.
+  /// Makes a run of a side use a line. If two sides give the line different lengths, for instance because of
+  /// different mesh sizes, the line gets the geometric mean of both lengths.
   void use(std::size_t l, DirectedSide s, std::size_t k) {
     const ClothSide& side = cloths_.sides[s.side];
     const auto& breaks = borders_.breaks[s.side];
@@ -216,9 +216,9 @@ class LineMaker {
     all_.rope_middles.push_back(middle == all_.points.end() ? kNoPoint : middle->second);
   }
 
-  /// The largest length of bars of a warp [m]; 0 for other ropes. A warp changes its direction by some tenths
-  /// of a radian along its length. With 32 bars, its tension is accurate to a thousandth, whatever the size
-  /// of elements in the netting.
+  /// The largest length of bars of a warp [m]; 0 for other ropes. Along its length, a warp changes its
+  /// direction by some tenths of a radian. With 32 bars, its tension is accurate to a thousandth, whatever
+  /// the size of elements in the netting.
   static double coarsest(const GearRope& rope) {
     constexpr double kBarsOfWarps = 32;
     return rope.rope->role == kWarp ? rope.length / kBarsOfWarps : 0;

@@ -39,9 +39,9 @@ struct RopeRun : Run {
 
 /// All lines of a gear. Points are indices; identical points have the same index.
 ///
-/// Along a seam, points of both sides correspond if they divide the meshes in the same proportion; if the
-/// panels have different mesh sizes, their sides are divided by the length of twines instead. A corner on one
-/// side becomes a point on both sides; corners on opposite sides that nearly coincide are merged.
+/// Along a seam, points of both sides correspond if they divide the meshes of their sides in the same
+/// proportion; if the panels have different mesh sizes, the lengths of twines are divided instead. A corner
+/// on one side becomes a point on both sides; corners on opposite sides that nearly coincide are merged.
 struct SeamLines {
   std::vector<Line> lines;
   std::vector<std::vector<SideRun>> sides;  // runs by index in Cloths::sides
@@ -56,12 +56,12 @@ struct SeamLines {
 
 inline constexpr std::size_t kNoPoint = ~std::size_t{0};
 
-/// Makes and divides the lines of a gear. `size`: size of elements in half-open netting [m]. Throws
-/// CannotDivide about seams that cannot be sewn.
+/// Makes and divides the lines of a gear. `size` is the size of elements in half-open netting [m]. Throws
+/// CannotDivide if a seam cannot be sewn.
 SeamLines seam_lines(const Gear& gear, const Cloths& cloths, const Fineness& fineness, double size);
 
-/// Makes the lines of a gear, and divides them as those of another gear. Throws std::invalid_argument if they
-/// connect other points.
+/// Makes the lines of a gear, and divides them like the lines of another gear. Throws std::invalid_argument
+/// if the lines of the two gears connect different points.
 SeamLines seam_lines_alike(const Gear& gear, const Cloths& cloths, const Fineness& fineness,
                            const MeshTopology& like);
 

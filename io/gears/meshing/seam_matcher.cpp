@@ -78,8 +78,8 @@ class Sewer {
     }
   }
 
-  /// Adds all seams. Seams that can run in only one way come first, because they determine the faces for the
-  /// others.
+  /// Adds all seams. Seams that can run in only one direction come first, because they determine the faces of
+  /// the cloths for the other seams.
   void add_seams() {
     Faces faces(cloths_.cloths.size());
     for (const auto& halves : borders_.seams) state_faces(halves.rows, faces);
@@ -113,8 +113,8 @@ class Sewer {
     return has[0] && has[1];
   }
 
-  /// Calls `visit` for every two cloths of a seam whose sides lie beside each other, with whether they show
-  /// opposite faces outwards.
+  /// Calls `visit` for every two cloths of a seam whose sides lie beside each other. Its last argument is
+  /// whether the cloths show opposite faces outwards.
   template <class Visit>
   void visit_neighbours(const std::array<Row, 2>& rows, const Visit& visit) const {
     if (rows[0].empty() || rows[1].empty()) return;
@@ -197,7 +197,7 @@ class Sewer {
   }
 
   /// In a row round the net, reverses the edges of every side panel whose outer side is sewn to the previous
-  /// panel, so that these edges run inwards. Begins at the first panel across the middle, in both directions.
+  /// panel, so that these edges run inwards. Goes from the first panel across the middle in both directions.
   void turn_side_panels(Row& row) const {
     const auto first = std::find_if(row.begin(), row.end(),
                                     [&](const auto& s) { return panel_of(s).stands == Standing::middle; });
@@ -318,7 +318,7 @@ class Sewer {
     return knots;
   }
 
-  /// Merges the ends of both rows, and pairs of corners of both rows that are nearest to each other.
+  /// Merges the ends of both rows, and each pair of nearest corners on opposite rows that are close enough.
   void unite_near(std::array<std::vector<Knot>, 2>& knots, double near) {
     borders_.points.unite(knots[0].front().point, knots[1].front().point);
     borders_.points.unite(knots[0].back().point, knots[1].back().point);

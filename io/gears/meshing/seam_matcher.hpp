@@ -51,7 +51,7 @@ Borders sew(const Gear& gear, const Cloths& cloths, double snap);
 /// The name of the first edge of a row.
 std::string name_of(const Gear& gear, const Cloths& cloths, const Row& row);
 
-/// Throws CannotDivide about a seam that joins points of one of its edges to each other, so that the two rows
+/// Throws CannotDivide for a seam that joins points of one of its edges to each other, so that the two rows
 /// cannot lie side by side.
 [[noreturn]] void refuse_seam(const Gear& gear, const Cloths& cloths, const SewnRows& seam);
 

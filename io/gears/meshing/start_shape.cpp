@@ -21,8 +21,8 @@ std::size_t at(std::uint32_t node, int axis) {
   return 3 * std::size_t{node} + static_cast<std::size_t>(axis);
 }
 
-/// The half width w of (3) in start_shape.hpp, of an ellipse with the perimeter 2 S (Ramanujan 1914;
-/// perimeter to 1e-3 or better).
+/// The half width w of (3) in start_shape.hpp: that of an ellipse with the perimeter 2 S (formula of
+/// Ramanujan 1914, whose perimeter is accurate to 1e-3 or better).
 double half_width(double half_girth) {
   const double q = (1 - kAspect) / (1 + kAspect), lambda = q * q;
   const double shape = (1 + kAspect) * (1 + 3 * lambda / (10 + std::sqrt(4 - 3 * lambda)));
@@ -150,8 +150,8 @@ class Shaper {
   double& x(std::uint32_t node, int axis) { return positions_[at(node, axis)]; }
 
   /// Shifts the whole netting aft and vertically to the known coordinates of its nodes. If there are none,
-  /// shifts it such that ropes from known points reach the netting, and that the lowest point of the netting
-  /// is as deep as the lowest known point.
+  /// ropes from known points determine the shift aft, such that they reach the netting, and the lowest point
+  /// of the netting becomes as deep as the lowest known point.
   void stand_as_a_whole() {
     const double aft = shift_along(0, true);
     for (std::uint32_t node = 0; node < mesh_.nodes; ++node)
@@ -199,7 +199,7 @@ class Shaper {
     return std::isfinite(known) && std::isfinite(lowest) ? known - lowest : 0;
   }
 
-  /// The known points beside the netting from which ropes may lead to it.
+  /// The known points off the netting from which ropes may lead to it.
   std::vector<std::uint32_t> points_of_leads() const {
     std::vector<std::uint32_t> nodes;
     for (const auto& k : known_)
@@ -218,8 +218,8 @@ class Shaper {
   /// Places stretches of ropes one by one: the first one between two placed nodes or, if there is none, the
   /// first one with one placed node. A rope is tried again only after one of its nodes has been placed.
   void put_stretches() {
-    std::set<std::size_t> between, from_one;  // ropes that may have a stretch between two placed nodes, or
-                                              // from one
+    // Ropes that may have a stretch between two placed nodes, or from one placed node.
+    std::set<std::size_t> between, from_one;
     for (std::size_t r = 0; r < mesh_.ropes.size(); ++r) {
       between.insert(r);
       from_one.insert(r);

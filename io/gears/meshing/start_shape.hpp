@@ -28,7 +28,7 @@ struct Lead {
       between;  // nodes from `to` back, with their distances from `from` [m]
 };
 
-/// Data of ropes that do not depend on the shape, and the last few sets of paths, by their first nodes.
+/// Data of ropes that do not depend on the shape, and the last few sets of leads, by their start nodes.
 struct StoredRopes {
   std::vector<std::vector<std::size_t>> at_nodes;  // for each node, the indices of the ropes to which it
                                                    // belongs
@@ -36,11 +36,12 @@ struct StoredRopes {
 };
 
 /// Makes initial positions of the nodes of a divided gear, 3 per node [m]: x aft, y to starboard, z up. The
-/// shape need not be accurate, but must be free of kinks and folds, on the correct side, and about as large
-/// as the gear.
+/// shape need not be accurate, but it must have no kinks or folds, each node must be on its side of the gear,
+/// and the size must be about that of the gear.
 ///
-/// Two fields on the nodes of the netting are fitted by least squares over the sides of all triangles. There
-/// need not be an exact solution, because panels that are sewn together may have different lengths:
+/// Two fields on the nodes of the netting are fitted by least squares to (1) and (2) on the sides of all
+/// triangles. An exact solution need not exist, because panels that are sewn together may have different
+/// lengths:
 ///   a_j − a_i = cos β m (V_j − V_i)              metres aft                        (1)
 ///   s_j − s_i = ± sin β m (|U_j| − |U_i|)        metres of girth from the top      (2)
 /// m [m] mesh size, β half angle of the meshes of a trawl at work; U, V [meshes] across and deep. The seams

@@ -14,10 +14,10 @@ struct PlaneMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise
 };
 
-/// Fills a closed border with triangles whose sides are about `size`, or shorter near finer parts of the
+/// Fills a closed border with triangles whose sides are about `size` long, or shorter near finer parts of the
 /// border. The border must be counter-clockwise; it gets no additional points. Corners of 50 degrees or more
-/// are divided between two triangles, so that pieces that meet at the corner share more than its two sides.
-/// Throws std::invalid_argument if the border crosses itself.
+/// are divided between two triangles, so that pieces of netting that meet at a corner share more than its two
+/// sides. Throws std::invalid_argument if the border crosses itself.
 PlaneMesh triangulate(const std::vector<PlanePoint>& border, double size);
 
 /// Connects a border and given inner points (Delaunay); corners are divided as in triangulate().
@@ -26,7 +26,7 @@ PlaneMesh connect_points(const std::vector<PlanePoint>& border, const std::vecto
 enum class Smoothing { none, all };
 
 /// Adds a point in the middle of each side in `sides`, which are pairs of end points, and connects all points
-/// again. `smoothing`: whether inner points are then smoothed.
+/// again. `smoothing`: whether inner points are smoothed afterwards.
 PlaneMesh split_sides(const PlaneMesh& mesh, std::size_t border, double size,
                       const std::vector<std::array<std::uint32_t, 2>>& sides,
                       Smoothing smoothing = Smoothing::all);

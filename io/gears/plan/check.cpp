@@ -43,8 +43,8 @@ void check_net(NetPlan& plan, formats::Diagnostics& diagnostics, const CheckLimi
   check_joins(plan, limits, diagnostics);
   check_hangings(plan, limits, diagnostics);
   check_ropes(plan, limits, diagnostics);
-  // Not checked after an error, because parts may be unconnected only because of that error, such as an
-  // unknown name.
+  // Connections are not checked after an error, because the error itself may be why parts are unconnected:
+  // for example, an unknown name.
   if (diagnostics.errors() == errors_before) check_connections(plan, diagnostics);
   if (diagnostics.errors() == 0) check_loops(plan, diagnostics);
   if (diagnostics.errors() > 0) return;

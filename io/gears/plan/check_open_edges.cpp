@@ -15,8 +15,8 @@ namespace {
 
 std::string name_of(const Panel& panel, const OutlineEdge& edge) { return panel.name + "." + edge.name; }
 
-/// The edges of a plan that are sewn or hung, and where the plan says so: for example, "body.aft" is sewn at
-/// line 40.
+/// The edges of a plan that are sewn or hung, and the line of the plan that says so: for example, "body.aft"
+/// is sewn at line 40.
 class EdgeUses {
  public:
   explicit EdgeUses(const NetPlan& plan) {
@@ -44,7 +44,7 @@ class EdgeUses {
   std::map<std::string, Use> done_;
 };
 
-/// Proposals of other edges for the list of open edges of a panel.
+/// Proposals of other edges that a panel could list as open.
 Cures cures_of_open(const Panel& panel, const std::vector<std::string>& names) {
   formats::Array array;
   for (const auto& name : names) array.items.push_back(as_text(name));

@@ -17,8 +17,8 @@ namespace {
 constexpr const char* kRates =
     "rates are written AB, AN, 5B1P, 1N2B, 3B1M: bars, then points or meshes, of one cycle";
 
-/// The relative difference between the meshes of the aft edge that follow from the cuttings and the count in
-/// the plan; zero if the plan states no count.
+/// The relative difference between two numbers of meshes at the aft edge: the number that follows from the
+/// cuttings, and the count in the plan. Zero if the plan states no count.
 double misses_by(const Panel& panel) {
   const double aft = panel.count(panel.aft);
   return panel.states_aft ? std::abs(aft_by_cuttings(panel) - aft) / std::max(1.0, aft) : 0;
@@ -51,7 +51,7 @@ std::string propose_rate(const Panel& panel, bool is_outer, std::size_t which) {
   return best;
 }
 
-/// Reports a text that is not a rate. `mended` is the panel with the proposed rate, if there is one.
+/// Reports a text that is not a rate. `mended` is the panel with the proposed rate, if a rate is proposed.
 void say_no_rate(const Panel& panel, bool is_outer, std::size_t which, const std::string& proposed,
                  const Panel& mended, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const Cut& cut = (is_outer ? panel.outer : panel.inner)[which];
@@ -172,7 +172,7 @@ std::vector<PanelPoint> side_of(const Outline& outline, bool is_outer) {
   return corners;
 }
 
-/// The innermost place of the outer side, or the outermost place of the inner side, at a depth.
+/// The innermost x of the outer side, or the outermost x of the inner side, at the depth `y`.
 double place_at(const std::vector<PanelPoint>& side, double y, bool is_outer) {
   const double none = (is_outer ? 1 : -1) * std::numeric_limits<double>::infinity();
   double most = none;

@@ -56,7 +56,8 @@ void check_count(const Pieces& pieces, const std::string& path, bool is_on_both_
                         cures_of_number(pieces, path, pieces.number + 1, step));
 }
 
-/// Warns if floats do not fit in a row, and reports an error if they do not even fit in bunches.
+/// Reports floats that do not fit on a rope: a warning if they do not fit in a row, an error if not even in
+/// bunches.
 void check_room(const Pieces& pieces, const std::string& path, double length, bool is_on_both_sides,
                 const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const double diameter = number_of(pieces, "diameter", "m"), row = pieces.number * diameter;

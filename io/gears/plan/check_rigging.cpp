@@ -64,8 +64,8 @@ struct Match {
   double off() const { return second / first / expected - 1; }
 };
 
-/// Adds proposals of other counts for the edges of one side of a seam. Each proposal alone would add `more`
-/// to this side, in the unit of the match.
+/// Adds proposals of other counts for the edges of one side of a seam. Each proposal alone adds `more`
+/// meshes, or metres of twine, to this side.
 void add_cures_of_row(Cures& cures, const NetPlan& plan, const std::vector<std::string>& row, double more,
                       bool is_counted) {
   formats::Diagnostics silent;
@@ -135,8 +135,8 @@ void check_widths(const Join& join, const std::string& path, const EdgeRow& a, c
       "one mesh size may be that of one bar instead of two, or take_up may be missing");
 }
 
-/// Reports edges that the plan sews twice or hangs twice. Different names may contain the same edge:
-/// "body.fore" contains "body.bosom".
+/// Reports edges that the plan sews twice or hangs twice. Two names may contain the same edge: "body.fore"
+/// contains "body.bosom".
 class Ledger {
  public:
   explicit Ledger(const char* deed) : deed_(deed) {}
@@ -187,7 +187,7 @@ double length_taken(const Hanging& hanging, const EdgeSet& edge, const Rope& rop
   return rope.stands == Standing::middle ? edge.times() * once : once;
 }
 
-/// Proposes these ratios for a hanging, as lengths if the plan states a length.
+/// Proposes the given ratios for a hanging, as lengths if the plan states a length.
 Cures cures_of_hanging(const Hanging& hanging, double stretched, std::initializer_list<double> ratios) {
   Cures cures;
   for (const double ratio : ratios) {
@@ -271,8 +271,8 @@ void say_loose(const Rope& rope, double hung, formats::Diagnostics& diagnostics)
       {set(path_of({"ropes", rope.name, "length"}), as_metres(millimetres_above(hung)))});
 }
 
-/// Proposals for a rope that is too short: a longer rope, less of the rope for one of its edges, or fewer
-/// meshes along an edge that is hung with a ratio.
+/// Proposals for a rope that is too short: a longer rope, a smaller length of rope for one of its edges, or
+/// fewer meshes along an edge that is hung with a ratio.
 Cures cures_of_length(const NetPlan& plan, const HangingsByRope& hangings, const Rope& rope, double hung) {
   Cures cures = {set(path_of({"ropes", rope.name, "length"}), as_metres(millimetres_above(hung)))};
   formats::Diagnostics silent;
@@ -312,7 +312,7 @@ void check_rope_length(const NetPlan& plan, const HangingsByRope& hangings, cons
     diagnostics.warning(rope.place, message, cure, cures);
 }
 
-/// Refuses a rope that exists once but ends at a point that exists on both sides.
+/// Reports a single rope that ends at a point that exists on both sides.
 void check_end(const NetPlan& plan, const Rope& rope, const std::string& end,
                formats::Diagnostics& diagnostics) {
   const std::string path = "ropes." + rope.name + ".between";
@@ -327,7 +327,7 @@ void check_end(const NetPlan& plan, const Rope& rope, const std::string& end,
                       cures_of_standing(rope, "pair", ""));
 }
 
-/// Refuses a pair of ropes if both lead to the same point of a middle body, unless this point is in the
+/// Reports a pair of ropes that both lead to the same point of a middle body, unless this point is in the
 /// middle.
 void check_end_aside(const NetPlan& plan, const Rope& rope, const std::string& end,
                      formats::Diagnostics& diagnostics) {

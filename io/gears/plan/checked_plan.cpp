@@ -76,7 +76,7 @@ NetPlan read_and_check(const formats::Value& root, const Catalogue& catalogue, P
   NetPlan plan = read_plan(root, catalogue, memory, said);
   if (said.errors() == 0)
     trials == HintTrials::of_all ? check_plan(plan, said) : check_plan(plan, memory, said);
-  if (trials == HintTrials::of_errors && said.errors())  // only now is it known that proposals are needed
+  if (trials == HintTrials::of_errors && said.errors())  // proposals are needed only after an error
     return read_and_check(root, catalogue, memory, HintTrials::of_all, diagnostics);
   formats::mark_accepted(root, said);
   if (trials == HintTrials::of_all) try_cures(root, catalogue, said);

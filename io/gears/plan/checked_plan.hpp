@@ -4,9 +4,9 @@
 
 namespace netloft::gears {
 
-/// The messages whose proposals are tried (tried_cures.hpp): errors only, or warnings as well. For every
-/// trial, the plan is read and checked again. A run, which tries proposals for errors only, saves this work
-/// if its plan has only warnings.
+/// The messages whose proposals are tried (tried_cures.hpp): errors only, or warnings as well. Each trial
+/// reads and checks the plan again. A run tries proposals for errors only, and so makes no trials for a plan
+/// that has only warnings.
 enum class HintTrials { of_errors, of_all };
 
 /// Reads a plan from its tables, checks whether the net can be sewn, and tries the proposals of hints.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMostInARow = 999;
 
-/// Parses the rates of one letter, such as "A" for all bars.
+/// Parses a rate that consists of one kind of cut, such as "AB" (all bars).
 std::optional<CuttingRate> parse_all(char letter) {
   if (letter == 'B') return CuttingRate{.bars = 1};
   if (letter == 'N' || letter == 'P') return CuttingRate{.points = 1};
@@ -51,7 +51,7 @@ std::optional<CuttingRate> parse_rate(std::string_view text) {
     if (at >= text.size() || !add_group(rate, number, text[at++])) return {};
   }
   const bool mixes_both = rate.points > 0 && rate.meshes > 0;
-  if (groups != 2 || mixes_both) return {};  // rates of one kind are written AB, AN, AM
+  if (groups != 2 || mixes_both) return {};  // a rate of one kind is written AB, AN or AM
   return rate;
 }
 

@@ -21,7 +21,7 @@ struct CuttingRate {
   int half_meshes_across() const { return bars + 2 * meshes; }  // (1)
   int half_meshes_deep() const { return bars + 2 * points; }    // (2)
   bool is_straight() const { return half_meshes_across() == 0; }
-  /// Number of meshes across in `deep` meshes aft; undefined for a rate that goes across only (AM).
+  /// Number of meshes across in `deep` meshes aft; undefined for a rate that only goes across (AM).
   double across(double deep) const { return deep * half_meshes_across() / half_meshes_deep(); }
   double deep(double across) const { return across * half_meshes_deep() / half_meshes_across(); }
 
@@ -29,7 +29,7 @@ struct CuttingRate {
 };
 
 /// Parses a rate such as "5B1P", "1N2B", "AB", "AN" or "AM". N means the same as P, and T the same as M.
-/// nullopt if the text is not a rate.
+/// Returns nullopt if the text is not a rate.
 std::optional<CuttingRate> parse_rate(std::string_view text);
 
 /// For a text that is not a rate: rates that differ from it in one letter, as proposals.

@@ -16,7 +16,7 @@ const char* prefix(Side side) {
   return side == Side::starboard ? "starboard-" : side == Side::port ? "port-" : "";
 }
 
-/// Whether `full` is a name with the prefix of a side.
+/// Whether `full` is `name` with the prefix of this side.
 bool is_on(Side side, std::string_view name, std::string_view full) {
   return full.ends_with(name) && full.substr(0, full.size() - name.size()) == prefix(side);
 }
@@ -108,8 +108,8 @@ class GearMaker {
     }
   }
 
-  /// The edges on one side of the gear that a name in the plan stands for. An edge that exists once belongs
-  /// to both sides.
+  /// The edges on one side of the gear that a name in the plan means. An edge that exists once belongs to
+  /// both sides.
   std::vector<EdgeRef> edges_of(const std::string& name, Side side) const {
     formats::Diagnostics silent;
     const EdgeSet set = find_edge(plan_, name, {}, "", silent);
@@ -261,8 +261,9 @@ class GearMaker {
     }
   }
 
-  /// Adds pieces such as floats. The plan states numbers for the whole gear. A pair has half of the number on
-  /// each side. Half a gear has half of those pieces that lie across the plane of symmetry.
+  /// Adds pieces such as floats. The plan states numbers for the whole gear. A pair of ropes or edges gets
+  /// half of the number on each side. Half a gear has half of the pieces that lie across the plane of
+  /// symmetry.
   void add_pieces(const Pieces& pieces) {
     const Standing stands = standing_of(pieces);
     const bool is_shared = stands == Standing::pair || (stands == Standing::middle && !is_whole());

@@ -100,10 +100,10 @@ struct GearBody {
   bool is_mirrored = false;
 };
 
-/// The modelled parts of a net plan, including those mirrored to port. It refers to the plan, which must
-/// outlive it. Points are named "headrope.end", "port-wing.fore-outer", "port-towing-point". In a whole gear,
-/// corners of middle panels are named like their edges, "body.port-fore-outer"; on the plane of symmetry,
-/// "body.fore-inner".
+/// The modelled parts of a net plan, including those mirrored to port. The gear refers to the plan, which
+/// must outlive it. Points have names such as "headrope.end", "port-wing.fore-outer" and "port-towing-point".
+/// In a whole gear, corners of middle panels are named like their edges, "body.port-fore-outer"; corners on
+/// the plane of symmetry have names such as "body.fore-inner".
 struct Gear {
   Extent extent = Extent::whole;
   std::vector<GearPanel> panels;

@@ -6,7 +6,7 @@
 
 namespace netloft::gears {
 
-/// The edges of one panel that a name stands for, ordered from the middle outwards, or aft.
+/// The edges of one panel that a name means, ordered from the middle outwards, or aft.
 struct EdgeSet {
   const Panel* panel = nullptr;
   std::vector<OutlineEdge> edges;
@@ -23,9 +23,9 @@ struct EdgeSet {
   bool is_across_middle() const;
 };
 
-/// The edges that a name stands for, such as "top-wing.inner", "top-wing.breast-cut" or "top-body.fore" (all
-/// parts of the fore edge). If there is no such edge, returns an empty set and reports an error at `place`
-/// that lists similar names; `path` is the key that contains the name. A panel without meshes has no edges.
+/// The edges that a name means, such as "top-wing.inner", "top-wing.breast-cut" or "top-body.fore" (all parts
+/// of the fore edge). If there is no such edge, returns an empty set and reports an error at `place` with
+/// similar names; `path` is the key that contains the name. A panel without meshes has no edges.
 EdgeSet find_edge(const NetPlan& plan, const std::string& name, const formats::Place& place,
                   const std::string& path, formats::Diagnostics& diagnostics);
 

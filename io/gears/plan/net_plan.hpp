@@ -23,9 +23,9 @@ enum class Standing {
   middle,  // lies across the plane of symmetry, and is symmetric itself
 };
 
-/// A number of meshes along a fore or an aft edge. In the lists of a panel, counts are ordered from the
-/// middle outwards (in a pair: from the inner side outwards). In a middle panel the first count is the whole
-/// stretch across the middle; each of the other counts exists to port and to starboard.
+/// A number of meshes along a fore or an aft edge. A panel lists its counts from the middle outwards (in a
+/// pair: from the inner side outwards). In a middle panel, the first count covers the whole stretch across
+/// the middle; each of the other counts exists to port and to starboard.
 struct MeshCount {
   std::string name;
   double meshes = 0;
@@ -39,8 +39,8 @@ struct Cut {
   std::string written;  // rate and direction as written, such as "5B1P in"
   CuttingRate rate;
   bool is_known = true;  // false: the text is not a rate, and `rate` is a guess
-  int goes = 0;          // +1 if the panel becomes wider towards its aft edge, -1 if narrower, 0 if straight
-  // Numbers of meshes as written in the plan; a cut that has neither takes the rest of the panel's depth.
+  int goes = 0;          // +1: the panel becomes wider towards its aft edge, -1: narrower, 0: constant width
+  // Numbers of meshes as written in the plan; a cut without both takes the rest of the panel's depth.
   std::optional<double> said_across, said_deep;
   double across = 0, deep = 0;  // numbers of meshes, computed
   double selvedge = 0;          // meshes that are gathered into the seam along the cut
@@ -58,8 +58,8 @@ struct OpenEdge {
   bool operator==(const OpenEdge&) const = default;
 };
 
-/// A point of an undeformed panel: x meshes across, outwards; y meshes aft of the fore edge. The unit of both
-/// is a mesh as net makers count it.
+/// A point of an undeformed panel: x meshes across, outwards; y meshes aft of the fore edge. In both
+/// directions, meshes are counted as net makers count them.
 struct PanelPoint {
   double x = 0, y = 0;
   bool operator==(const PanelPoint&) const = default;
@@ -85,7 +85,7 @@ struct OutlineEdge {
 /// A middle panel is represented by its starboard half, with the middle at x = 0; a pair by its starboard
 /// panel, whose inner side begins at x = 0. If cuttings and counts disagree (the check reports this), the
 /// counts are kept, because seams join counted meshes: each side is moved by half of the difference, in
-/// proportion to the depth. Then the sides are moved inwards by the meshes that selvedges gather.
+/// proportion to the depth. Then the sides are moved inwards by the meshes that seams gather.
 struct Outline {
   std::vector<OutlineEdge> edges;
   std::vector<PanelPoint> corners() const;
@@ -103,7 +103,7 @@ struct Panel {
   double twine_diameter = 0;  // [m]
   int twines = 1;             // number of twines side by side: 2 in double netting
   std::vector<MeshCount> fore, aft;
-  bool states_aft = false;     // whether the plan states `aft`; otherwise it follows from the cuttings
+  bool states_aft = false;     // whether the plan states the aft count; otherwise the cuttings give it
   double depth = 0;            // meshes from fore to aft, over all pieces in a row
   int pieces = 1;              // number of pieces sewn mesh to mesh in a row, each `depth`/`pieces` deep
   std::vector<OpenEdge> open;  // edges that are intentionally neither sewn nor hung
@@ -117,11 +117,13 @@ struct Panel {
   std::vector<std::array<double, 3>> sketch;
   formats::Place place, aft_place;
 
-  /// Whether both counts are zero, so that there is no netting; a panel given by corners may end in points.
+  /// Whether both counts are zero, so that there is no netting. A panel given by corners is never empty: its
+  /// ends may be points.
   bool is_empty() const { return !has_corners && count(fore) <= 0 && count(aft) <= 0; }
   /// Meshes of the whole edge; for a middle panel, port and starboard together.
   double count(const std::vector<MeshCount>& edge) const;
-  /// Coordinates (u, v) along the two twine directions of a point, or of a vector between two points [bars].
+  /// Coordinates (u, v) of a point along the two twine directions [bars]; also of a vector between two
+  /// points.
   std::array<double, 2> twines_at(double across, double deep) const;
   bool operator==(const Panel&) const = default;
 };
@@ -129,8 +131,8 @@ struct Panel {
 constexpr double kWinchSpeed = 2;    // [m/s]; trawl winches haul some 80 to 120 m in a minute
 constexpr double kWinchBand = 0.05;  // default deviation at full speed, as a fraction of the tension
 
-/// A rope, wire or chain. For a rope in the middle, this has its full length; the rope starts in the middle
-/// and ends on both sides.
+/// A rope, wire or chain. A rope in the middle starts on the plane of symmetry and ends on both sides; its
+/// length here is the full length.
 struct Rope {
   std::string name;
   Standing stands = Standing::alone;
@@ -138,17 +140,18 @@ struct Rope {
   formats::Value rope;                // a table of the properties of the rope: diameter, EA, density, …
   double length = 0;                  // unstretched length [m]
   std::optional<double> length_port;  // length of the rope to port, if different [m]
-  // If the solver finds the length of the rope: the required tension at its start, to starboard and to port
-  // [N].
+  // The required tension at the start of the rope, to starboard and to port [N], if the solver finds its
+  // length.
   std::optional<double> tension, tension_port;
   std::string role;  // one of rope_roles(); empty: none
   formats::Place role_place;
   std::array<std::string, 2> between;  // points at its ends; empty if an end is not tied
-  // Control of the winch in a motion, stage by stage. A first stage without rows holds `tension`.
+  // Control of the winch during a motion, stage by stage. A first stage without rows keeps the tension at
+  // `tension`.
   std::vector<WinchStage> winch;
   formats::Place winch_place, tension_place;
   bool is_selvedge =
-      false;  // whether this is a strip of meshes gathered into a seam, which plans do not list as a rope
+      false;  // whether this is a strip of meshes gathered into a seam, which is no rope of the plan
   formats::Place place, between_place;
 };
 
@@ -159,10 +162,10 @@ const std::vector<std::string>& rope_roles();
 /// An edge that is hung on a rope. The edges of a rope follow each other in the order of the hangings.
 struct Hanging {
   std::string edge, rope;
-  // Length of rope that the edge takes [m]; for an edge across the middle, the length for both halves. 0:
+  // Length of rope that the edge takes [m]; for an edge across the middle, the length for both halves. 0 if
   // `ratio` is given.
   double length = 0;
-  double ratio = 0;  // length of rope divided by that of the stretched edge; 0: `length` is given
+  double ratio = 0;  // length of rope divided by that of the stretched edge; 0 if `length` is given
   formats::Place edge_place, rope_place, place;
   std::string path = {};  // path of its table, "hang[2]"; empty if no table states it
   bool operator==(const Hanging&) const = default;
@@ -199,7 +202,7 @@ struct Pieces {
 struct Point {
   std::string name;
   Standing stands = Standing::pair;
-  std::optional<std::array<double, 3>> at;  // [m]; for a pair, the point to starboard
+  std::optional<std::array<double, 3>> at;  // position [m]; for a pair, that of the starboard point
   formats::Place place;
   bool operator==(const Point&) const = default;
 };
@@ -207,7 +210,8 @@ struct Point {
 /// A point of a rigid body to which ropes lead; it is also a point of the plan, body.name.
 struct BodyPoint {
   std::string name;
-  double y = 0;  // position in the axes of the body, to starboard [m]; 0 if the scene cannot read the point
+  double y = 0;  // position in the axes of the body, to starboard [m]; 0 if the point has errors, which the
+                 // scene reports
   bool operator==(const BodyPoint&) const = default;
 };
 
@@ -223,7 +227,7 @@ struct PlanBody {
   const BodyPoint* find_point(const std::string& point) const;
 };
 
-/// Speed and heading of a ship at a time. They are linear between the times and constant after the last one.
+/// Speed and heading of a ship at a time. Both are linear between the times and constant after the last one.
 struct ShipMoment {
   double t;        // [s]
   double speed;    // speed over the ground [m/s]

@@ -24,7 +24,7 @@ double depth_of(const std::vector<Cut>& side) {
 
 bool is_middle(const Panel& panel) { return panel.stands == Standing::middle; }
 
-/// The counts of the drawn half of a middle panel: half of the first count lies on each side.
+/// The counts of the drawn half of a middle panel, with half of the first count.
 std::vector<MeshCount> drawn_counts(const Panel& panel, const std::vector<MeshCount>& edge) {
   auto counts = edge;
   if (is_middle(panel) && !counts.empty()) counts.front().meshes /= 2;
@@ -87,8 +87,8 @@ double take(double wanted, MeshCount* count) {
 MeshCount* first(std::vector<MeshCount>& counts) { return counts.empty() ? nullptr : &counts.front(); }
 MeshCount* last(std::vector<MeshCount>& counts) { return counts.empty() ? nullptr : &counts.back(); }
 
-/// Moves the corners of a side inwards by the meshes that seams gather. The first and the last corner move at
-/// most by the meshes of the fore and of the aft edge.
+/// Moves the corners of a side inwards by the meshes that seams gather. The first corner moves at most by the
+/// meshes of the fore edge, the last one by those of the aft edge.
 void gather(std::vector<PanelPoint>& corners, const std::vector<Cut>& side, double inwards, MeshCount* fore,
             MeshCount* aft) {
   for (std::size_t k = 0; k < corners.size(); ++k) {

@@ -4,8 +4,8 @@
 
 namespace netloft::gears {
 
-/// Draws the outline of a panel from its counts and cuttings. After a change of these, the new outline has to
-/// be stored in Panel::outline.
+/// Draws the outline of a panel from its counts and cuttings. After a change of counts or cuttings, the
+/// caller stores the new outline in Panel::outline.
 Outline outline_of(const Panel& panel);
 
 /// The number of meshes at the aft edge of the whole panel that follows from the fore edge and the cuttings.

@@ -15,7 +15,7 @@ struct TableRead {
   std::vector<formats::Diagnostic> messages;
 };
 
-/// The last table of each part, by the name of the part, and what was read from it.
+/// The last table of each part and its result, by the name of the part.
 template <class T>
 using TablesRead = std::map<std::string, Recent<formats::Value, const TableRead<T>>>;
 
@@ -33,7 +33,7 @@ struct NetCheck {
   std::vector<RopeSpan> spans;
 };
 
-/// Parts of a net plan that are stored between readings of the plan, and the last checks of the net. They
+/// Parts of a net plan, stored between readings of the plan, and the last checks of the net. Stored parts
 /// depend on their tables and on the catalogue.
 struct PlanMemory {
   std::shared_ptr<const Catalogue> catalogue;

@@ -28,8 +28,8 @@ Join read_join(formats::TableReader& table);
 Pieces read_pieces(const std::string& name, formats::TableReader& table, const Catalogue& catalogue);
 Point read_point(const std::string& name, formats::TableReader& table);
 
-/// Reads the symmetry of a body, and the names of its points, from its own table or from the board that it
-/// names.
+/// Reads the symmetry of a body and the names of its points, from the table of the body or from the catalogue
+/// board that this table names.
 PlanBody read_plan_body(const std::string& name, formats::TableReader& table, const Catalogue& catalogue);
 /// Reads `[ship]`, and adds its blocks and warps to the plan. The bodies of the plan must be known.
 void add_ship(NetPlan& plan, formats::TableReader& ship, const Catalogue& catalogue);
@@ -39,7 +39,7 @@ void add_ship(NetPlan& plan, formats::TableReader& ship, const Catalogue& catalo
 void read_winch(formats::TableReader& warp, Rope& rope);
 
 /// Models the meshes that seams gather: makes outlines narrower by these meshes, and adds ropes along the
-/// edges with the stiffness and mass of the gathered meshes.
+/// edges, whose stiffness and mass are those of the gathered meshes.
 void add_selvedges(NetPlan& plan, formats::Diagnostics& diagnostics);
 
 Standing read_standing(formats::TableReader& table, const char* fallback);

@@ -65,14 +65,14 @@ std::string written(const std::string& rate, int goes) {
   return goes == 0 ? rate : rate + (goes < 0 ? " in" : " out");
 }
 
-/// The panel with the extents of its cuts computed again.
+/// The panel after the extents of its cuts are computed again.
 Panel settled(Panel panel) {
   settle(panel.outer, panel.depth);
   settle(panel.inner, panel.depth);
   return panel;
 }
 
-/// The meshes at the aft edge by the cuttings, minus the meshes by the plan.
+/// The number of meshes at the aft edge from the cuttings, minus the number in the plan.
 double excess_of(const Panel& panel) { return aft_by_cuttings(panel) - panel.count(panel.aft); }
 
 bool is_as_deep_as_the_panel(const Panel& panel, const std::vector<Cut>& side, const CheckLimits& limits) {
@@ -87,7 +87,7 @@ bool closes(const Panel& panel, const CheckLimits& limits) {
          is_as_deep_as_the_panel(panel, panel.inner, limits);
 }
 
-/// A number of meshes rounded as a net maker would write it; the roundest number comes first.
+/// A number of meshes, rounded in the ways in which a net maker might write it; the roundest number first.
 std::vector<double> roundings(double meshes) {
   std::vector<double> all;
   for (const double step : {1.0, 0.5, 0.1})
@@ -97,8 +97,8 @@ std::vector<double> roundings(double meshes) {
   return all;
 }
 
-/// A rate with the letters and the order of another rate: "2B1P" instead of "1N2B" next to "5B1P". `text` is
-/// the usual form.
+/// A rate with the letters and in the order of the rate `written`: "2B1P" instead of "1N2B" next to "5B1P".
+/// `text` is the usual spelling of the rate.
 std::string spelled_like(const std::string& written, const CuttingRate& rate, const std::string& text) {
   if (text[0] == 'A' || written.empty()) return text;
   const bool has_points = rate.points > 0;
@@ -130,7 +130,7 @@ class Closing {
 
  private:
   struct Proposal {
-    double miss;  // meshes by which cuttings and aft count then still disagree
+    double miss;  // difference between cuttings and aft count that remains [meshes]
     formats::Cure cure;
     bool is_far = false;  // whether the new number has little to do with the old one
   };
@@ -181,7 +181,7 @@ class Closing {
         return add(std::abs(excess_of(with(value))), set(path, as_number(value)), is_far(now, value));
   }
 
-  /// Proposes another depth or another number of meshes for a cut that states it.
+  /// Proposes another depth or another number of meshes across for a cut that states it.
   void add_extent(bool is_outer, std::size_t which) {
     const Cut& cut = side_of(panel_, is_outer)[which];
     if (cut.said_deep)
@@ -308,8 +308,8 @@ std::vector<CountPlace> counts_of(const EdgeSet& edge) {
   return places;
 }
 
-/// Proposals for a panel whose aft edge follows from its cuttings: other numbers, with which the edge has
-/// `meshes`.
+/// Proposals for a panel whose aft edge follows from its cuttings: other numbers, with which this edge has
+/// `meshes` meshes.
 Cures cures_of_following(Panel panel, double meshes) {
   if (meshes < 0) return {};
   panel.aft = {{"aft", std::round(meshes), {}}};
@@ -319,7 +319,7 @@ Cures cures_of_following(Panel panel, double meshes) {
   return cures;
 }
 
-/// The numbers that give the depth of a side, or of the cuts that belong to an edge.
+/// The places of the numbers that give the depth of a side, or of the cuts that belong to an edge.
 std::vector<CountPlace> depths_of(const EdgeSet& edge) {
   const Panel& panel = *edge.panel;
   const bool is_outer = edge.edges[0].kind == EdgeKind::outer;

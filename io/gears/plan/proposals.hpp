@@ -11,8 +11,8 @@
 
 namespace netloft::gears {
 
-// Proposals are values of keys that may remove a message of the check. The functions here need not know what
-// else depends on a key, because tried_cures.hpp tries each proposal before it is shown.
+// A proposal is a value of a key that may remove a message of the check. These functions need not know what
+// else depends on the key, because tried_cures.hpp tries each proposal before it is shown.
 using Cures = std::vector<formats::Cure>;
 
 /// A dotted path: path_of({"panels", "bag", "aft"}) is panels.bag.aft.
@@ -27,12 +27,12 @@ formats::Value as_text(std::string text);
 double millimetres_below(double metres);
 double millimetres_above(double metres);
 
-/// Changes with which the cuttings of a panel agree with the meshes of its aft edge: other counts, another
+/// Changes that make the cuttings of a panel agree with the meshes of its aft edge: other counts, another
 /// depth, other rates, or a straight run before a cut.
 Cures cures_of_closing(const Panel& panel, const CheckLimits& limits);
 /// For a panel whose sides would meet: the opposite direction for each cut, or no taper.
 Cures cures_of_direction(const Panel& panel);
-/// Changes with which the cuts of the side `key` go as deep as the panel.
+/// Changes that make the cuts of the side `key` as deep as the panel.
 Cures cures_of_depth(const Panel& panel, const std::vector<Cut>& side, const std::string& key);
 /// Other rates for one cut: first the given rates, then the usual ones.
 Cures cures_of_rate(const Panel& panel, bool is_outer, std::size_t which, std::vector<std::string> rates);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Reads a panel given by its corners in meshes instead of counts and cuttings: any polygon with three corners
-// or more whose two sides never run forward between the fore end and the aft end.
+// or more. From the fore end to the aft end, neither of its two sides may run forward.
 #include "io/gears/plan/plan_reader.hpp"
 
 #include <fmt/format.h>
@@ -88,8 +88,7 @@ class CornerReader {
     if (std::abs(area()) < kSame) return fail("enclose no netting", "give them in a row round the panel");
     if (area() < 0) {
       std::reverse(corners_.begin(), corners_.end());
-      auto first = corners_.front().edge;  // edges belong to their first corner, which has become their last
-                                           // one
+      auto first = corners_.front().edge;  // an edge belongs to its first corner, now its last one
       for (std::size_t i = 0; i + 1 < corners_.size(); ++i) corners_[i].edge = corners_[i + 1].edge;
       corners_.back().edge = first;
     }

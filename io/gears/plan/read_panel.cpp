@@ -55,7 +55,7 @@ void read_direction(Cut& cut, const std::string& direction, formats::TableReader
                     cut.written + " out\"");
 }
 
-/// Reads a rate. If the text is not a rate, check_plan() later proposes one that fits the whole panel.
+/// Reads a rate. If the text is not a rate, check_plan() proposes one that fits the whole panel.
 void read_rate(Cut& cut, formats::TableReader& table, const char* key) {
   const auto words = split_cut(table.text(key, {.doc = "cutting rate and direction, such as \"5B1P in\""}));
   cut.written = words.rate;

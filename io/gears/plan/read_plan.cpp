@@ -18,8 +18,8 @@ namespace netloft::gears {
 
 namespace {
 
-// Tables that belong to scenes, keys of [gear] for the division into elements, and tables that belong to
-// plans.
+// Keys that tell plans and scenes apart: tables of scenes, keys of [gear] for the division into elements, and
+// tables of plans.
 constexpr const char* kOfScenes[] = {"water",    "tow",     "bed",      "parts", "hold",
                                      "analysis", "results", "elements", "flow"};
 constexpr const char* kOfModels[] = {"extent", "nodes", "size", "finer"};
@@ -145,8 +145,8 @@ class PlanReader {
     });
   }
 
-  /// A dot separates a name from its edges and points, so names must not contain one; and each name is used
-  /// once.
+  /// Checks that a name has no dot and is used only once. A dot separates the name of a part from those of
+  /// its edges and points.
   void check_name(const std::string& name, formats::TableReader& tables) {
     const bool has_dot = name.find('.') != std::string::npos;
     const std::string fault = has_dot

@@ -30,8 +30,8 @@ struct PlanDocument {
 NetPlan read_plan(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                   formats::Diagnostics& diagnostics);
 
-/// Whether the root table of a document contains a plan, which has panels. If a document has other tables of
-/// a plan but no panels, it counts as a plan whose panels are missing, unless it is a scene made of parts.
+/// Whether the root table of a document contains a plan, which has panels. A document without panels but with
+/// other tables of a plan also counts as a plan (its panels are missing), unless it is a scene made of parts.
 bool holds_plan(const formats::Value& root);
 
 /// The tables of a scene on which its plan depends. Other tables, the keys of `[gear]` for the division into
@@ -42,7 +42,8 @@ formats::Value tables_of_plan(formats::Value scene);
 NetPlan read_plan(const formats::Value& tables, const Catalogue& catalogue,
                   formats::Diagnostics& diagnostics);
 
-/// Takes parts that are stored in `memory` from there. The memory must belong to this catalogue.
+/// Like read_plan() above, but does not read parts again that are in `memory`. The memory must belong to this
+/// catalogue.
 NetPlan read_plan(const formats::Value& tables, const Catalogue& catalogue, PlanMemory& memory,
                   formats::Diagnostics& diagnostics);
 

@@ -40,8 +40,8 @@ const formats::Value* points_of_catalogue(formats::TableReader& table, const Cat
   return nullptr;
 }
 
-/// The point to which warps lead: by default the point named `warp`, if exactly one body has such a point. An
-/// empty text after an error.
+/// The point to which warps lead: by default the point named `warp`, if exactly one body has such a point.
+/// Returns an empty text after an error.
 std::string end_of_warp(const NetPlan& plan, formats::TableReader& warp) {
   if (warp.has("to")) return warp.text("to", {.doc = "point to which the warp leads, such as \"door.warp\""});
   std::vector<std::string> ends;

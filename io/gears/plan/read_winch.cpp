@@ -22,8 +22,8 @@ class StageReader {
   StageReader(formats::TableReader table, const Rope& warp)
       : table_(std::move(table)), warp_(warp), before_(warp.winch.empty() ? nullptr : &warp.winch.back()) {}
 
-  /// The stage that the table describes. The stage has no rows after an error, or if the winch holds the
-  /// tension of the warp and the table gives no other.
+  /// The stage that the table describes. It has no rows after an error, or if the table gives no tension
+  /// other than that of the warp, which the winch holds.
   WinchStage read() {
     if (before_ && !table_.has("t"))
       table_.error("t", "is missing: it is the time at which this table replaces the previous one");

@@ -15,8 +15,8 @@ class Recent {
   explicit Recent(std::size_t most) : most_(most) {}
 
   /// The result for `input`: a stored one, or that of make(input), which returns a shared pointer. If make()
-  /// throws, the exception is passed on and nothing is stored. `From` is a type that converts to an Input;
-  /// the conversion is made only if the result has to be stored.
+  /// throws, the exception is passed on and nothing is stored. `From` is a type that can be converted to
+  /// `Input`; it is converted only if the result has to be stored.
   template <class From = Input, class Make>
   std::shared_ptr<Result> of(From&& input, const Make& make) {
     const auto same = std::ranges::find_if(kept_, [&](const Kept& one) { return one.first == input; });

@@ -8,10 +8,10 @@ namespace netloft::gears {
 
 namespace {
 
-// A selvedge is a strip of n meshes gathered into a seam. Stretched, it has 2n twines side by side, because a
-// mesh is two bars long and consists of four bars. All twines carry load, except that in square netting half
-// of the twines run across. The netting may have t twines side by side instead of one; d, m, EA are diameter,
-// mass and stiffness of one twine. The strip has the mass of k twines and the stiffness of e twines:
+// A selvedge is a strip of n meshes gathered into a seam. When stretched, it has 2n twines side by side: a
+// mesh is two bars long and consists of four bars. All twines carry load, except in square netting, where
+// half of the twines run across. Double netting has t twines side by side; d, m, EA are diameter, mass and
+// stiffness of one twine. The strip has the mass of k twines and the stiffness of e twines:
 //   k = 2 n t,   e = k, for square netting k/2                                              (1)
 //   d_strip = √k d,  m_strip = k m,  EA_strip = e EA                                          (2)
 struct Bundle {

@@ -9,7 +9,7 @@ namespace netloft::gears {
 
 /// Reads the column `t` of a table [s], whose times begin at zero and increase.
 std::vector<double> read_times(formats::TableReader& table);
-/// Reads the times of a table that replaces an earlier table from t[0] on. A single time is enough.
+/// Reads the times of a table that replaces an earlier table from its first time on. A single time is enough.
 std::vector<double> read_later_times(formats::TableReader& table);
 
 /// Reads a column over the times. The column must begin with `start`; if it is missing, its value is `start`

@@ -24,7 +24,7 @@ namespace {
 using formats::Cure;
 using formats::Diagnostic;
 
-/// A message without its numbers, by which a message is recognised after values have changed.
+/// The text of a message without its numbers, which identifies the message after values have changed.
 std::string kind_of(const Diagnostic& message) {
   std::istringstream words(message.message);
   std::string kind;
@@ -147,8 +147,8 @@ class CureTrials {
     NetPlan plan = read_plan(root, catalogue_, said);
     const bool was_read = said.errors() == 0;
     if (was_read) check_plan(plan, said);
-    if (was_read && said.errors()) {  // after these errors, some checks were not made, so that their messages
-                                      // are not new later
+    // After errors, check_plan() leaves out some checks. Their messages must not count as new later.
+    if (was_read && said.errors()) {
       check_loose_ropes(plan, {}, said);
       check_open_edges(plan, said);
     }
@@ -199,8 +199,8 @@ class CureTrials {
     return trials;
   }
 
-  /// Completes the best of the proposals by further values, which remove the messages that it causes; nullopt
-  /// if that is impossible.
+  /// Adds further values to the best proposals, so that the messages that they cause disappear; nullopt if
+  /// that is impossible.
   std::optional<Trial> complete(const Diagnostic& message, const std::vector<Trial>& trials) {
     constexpr std::size_t kMostCompleted = 4;
     for (std::size_t i = 0; i < std::min(kMostCompleted, trials.size()); ++i)
@@ -230,7 +230,7 @@ class CureTrials {
     });
   }
 
-  /// The best proposals, one for each key, if they are equally good, such as "aft = 20, or depth = 50".
+  /// The best proposals, one for each key, if they are equally good: for example, "aft = 20, or depth = 50".
   std::string choice_of(const std::vector<Trial>& trials) const {
     std::string text;
     std::vector<std::string> paths;

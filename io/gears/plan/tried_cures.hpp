@@ -15,10 +15,9 @@ struct CureLimits {
 };
 
 /// Tries the proposals (Diagnostic::cures) of all messages about a plan: applies each to a copy of `root`,
-/// the tables that the plan was read from, and reads and checks the copy. A hint then begins with values with
-/// which the message disappears and no other appears. If there are none, it begins with values and the
-/// further values that these require, or with values and the errors that remain. Accepted warnings need no
-/// proposals.
+/// the tables of the plan, and reads and checks the copy. If values remove a message and cause no other, its
+/// hint begins with them. Otherwise the hint begins with values and the further values that these require, or
+/// with values and the errors that remain. Accepted warnings need no proposals.
 void try_cures(const formats::Value& root, const Catalogue& catalogue, formats::Diagnostics& diagnostics,
                const CureLimits& limits = {});
 

@@ -6,14 +6,15 @@
 
 namespace netloft::gears {
 
-/// Coordinates u, v along both twine directions of a point of an undeformed panel [bars]; knots have whole
-/// numbers of both (Priour 2013). U are the meshes across, outwards; V the meshes deep, aft:
+/// Coordinates u, v of a point of an undeformed panel along both twine directions [bars]; at knots, both are
+/// whole numbers (Priour 2013). U [meshes] is the coordinate across, outwards; V [meshes] is the coordinate
+/// deep, aft:
 ///   diamond  u = U + V,  v = V − U;   T90  u = V + U,  v = U − V;   square  u = U,  v = V        (1)
-/// A mesh of diamond or T90 netting is as wide as deep, √2 bars, when it is opened to a square. Square
-/// netting is counted in bars. If the netting is turned in its panel by φ, from outwards towards aft, with
-/// meshes opened to squares, (1) uses U′, V′ instead of U, V:
+/// Opened to a square, a mesh of diamond or T90 netting is √2 bars wide and √2 bars deep. Square netting is
+/// counted in bars. If the netting is turned in its panel by φ, from outwards towards aft, with meshes opened
+/// to squares, (1) uses U′, V′ instead of U, V:
 ///   U′ = U cos φ + V sin φ,  V′ = V cos φ − U sin φ                                              (2)
-/// Diamond netting turned by 45° is therefore square netting, counted in √2 bars.
+/// Diamond netting turned by 45° is therefore square netting that is counted in units of √2 bars.
 inline std::array<double, 2> twine_coordinates(const std::string& orientation, double angle, double U,
                                                double V) {
   const double c = std::cos(angle), s = std::sin(angle);

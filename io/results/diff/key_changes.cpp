@@ -51,8 +51,9 @@ class Comparison {
         changes_.push_back({formats::join_path(path, member.key), "", spell_value(member.value)});
   }
 
-  /// Compares the items of two arrays in their order, after skipping equal items at both ends. Indices are
-  /// those of the first array; items that only the second array has have their index there.
+  /// Compares the items of two arrays in their order, after skipping equal items at both ends. A path
+  /// contains the index in the first array; for items that only the second array has, the index in the second
+  /// array.
   void compare_items(const std::vector<Value>& a, const std::vector<Value>& b, const std::string& path) {
     std::size_t head = 0, tail = 0;
     const std::size_t fewer = std::min(a.size(), b.size());

@@ -9,7 +9,7 @@
 
 namespace netloft::results {
 
-/// A key of two scenes, or of two files, that has different values. Values are written in the syntax of
+/// A key that has different values in two scenes, or in two files. Values are written in the syntax of
 /// `--set`. An empty value means that the key does not exist.
 struct KeyChange {
   std::string path;  // such as "floats.headline.spread" or "hold[0].at"

@@ -33,13 +33,13 @@ void side_text(const char* which, const Result& result, Out out) {
   fmt::format_to(out, "\n");
 }
 
-// Numbers of changed inputs and of figures that are printed without --all. Together with file names and a
-// heading, these are about ten lines.
+// Numbers of changed inputs and of changed figures that are printed without --all. With file names and a
+// heading, the report then has about ten lines.
 constexpr std::size_t kShownInputs = 3, kShownFigures = 12;
 
-constexpr std::size_t kShownLetters = 100;  // of a value, without --all
+constexpr std::size_t kShownLetters = 100;  // printed of a value, without --all
 
-/// Shortens a text to a number of letters.
+/// Shortens a text to at most `most` bytes, without cutting a UTF-8 letter.
 std::string shortened(const std::string& text, std::size_t most) {
   if (text.size() <= most) return text;
   std::size_t end = most;
@@ -68,8 +68,8 @@ void inputs_text(const ResultDiff& diff, bool all, Out out) {
 
 /// Returns a coordinate, or zero if it is zero up to rounding errors.
 double plain(double metres) {
-  constexpr double kNothing = 1e-9;  // smallest coordinate that counts [m], far below the accuracy of any
-                                     // result
+  // Smaller coordinates are zero [m]; no result is nearly as accurate.
+  constexpr double kNothing = 1e-9;
   return std::abs(metres) < kNothing ? 0 : metres;
 }
 
@@ -85,7 +85,7 @@ std::string move_line(const std::optional<NodeMove>& move) {
   return text;
 }
 
-/// The value of a figure before or after, in the unit that is usual in the trade.
+/// The value of a figure before or after, in the unit that is usual in fisheries.
 NamedScalar spoken_figure(const NumberDifference& d, double value, double error) {
   NamedScalar figure{.name = d.name, .unit = d.unit, .doc = "", .value = value};
   figure.solver_error = error;
@@ -93,7 +93,7 @@ NamedScalar spoken_figure(const NumberDifference& d, double value, double error)
   return in_spoken_unit(figure);
 }
 
-/// A name of a number in words, for example "headline height" for "gear/mouth/headline_height".
+/// A name of a number in words: "headline height" for "gear/mouth/headline_height".
 std::string words_of(const std::string& name) {
   const std::string rest = name.substr(name.find('/') + 1);
   const std::string principal = principal_name(rest);
@@ -175,7 +175,7 @@ Json move_json(const std::optional<NodeMove>& move) {
           {"nodes", move->nodes}};
 }
 
-/// An empty text as null: the result does not have the key or file.
+/// The text, or null if it is empty: the result then lacks the key or file.
 Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
 Json keys_json(const std::vector<KeyChange>& keys) {

@@ -19,9 +19,9 @@ FigureChange figure_change(const NumberDifference& difference);
 /// A sentence about the errors of the figures that changed.
 std::string errors_line(const ResultDiff& diff);
 
-/// The differences as text: the changes of the inputs, then the figures that changed, the most important
-/// first. Changes beyond the known errors are marked with `*`. With `all`, all changes are listed, and every
-/// number that changed is listed with its name in the file.
+/// The differences as text: first the changed inputs, then the changed figures, the most important first.
+/// Changes that exceed the known errors are marked with `*`. With `all`, every change is listed, and every
+/// changed number is listed with its name in the file.
 std::string diff_text(const ResultDiff& diff, bool all);
 
 /// One JSON object with all numbers; unknown values are null.

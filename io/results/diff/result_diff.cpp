@@ -30,8 +30,8 @@ void add_vector(const std::string& name, const std::array<double, 3>& force, Num
   for (std::size_t axis = 0; axis < 3; ++axis) numbers[name + "/" + "xyz"[axis]] = {"N", force[axis]};
 }
 
-/// All numbers of a result: "results/lowest_z", "gear/mouth/area", "held/warp/x". If `with_forces`, the
-/// forces on each part are included; callers leave them out if the figures of the gear state them.
+/// All numbers of a result: "results/lowest_z", "gear/mouth/area", "held/warp/x". The forces on each part are
+/// included if `with_forces`; they are not needed if the figures of the gear contain them.
 NumberMap numbers_of(const Result& result, bool with_forces) {
   NumberMap numbers;
   for (const auto& s : result.scalars)
@@ -76,7 +76,7 @@ std::vector<NumberDifference> compare_numbers(const Result& before, const Result
   return all;
 }
 
-/// The options of a command line that choose a method or a start: "--solver newton".
+/// The options of a command line that choose a method or a start: for example, "--solver newton".
 std::set<std::string> options_of(const Origins& origins) {
   std::set<std::string> options;
   for (const std::string option : {"--solver", "--strategy", "--start-from"})
@@ -92,8 +92,8 @@ std::set<std::string> only_in(const std::set<std::string>& one, const std::set<s
 
 std::string name_of(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-/// Compares those files of two results that differ, in pairs of the same name. Files of the scenes themselves
-/// are left out, because their keys are compared.
+/// Pairs the files of two results by name, and returns the pairs that differ. Files of the scenes themselves
+/// are left out, because the scenes are compared key by key.
 std::vector<FileDifference> compare_files(const std::vector<Origins::File>& before,
                                           const std::vector<Origins::File>& after,
                                           const std::set<std::string>& of_scenes) {
@@ -156,17 +156,17 @@ InputDifferences compare_inputs(const Origins& before, const Origins& after) {
   return inputs;
 }
 
-/// Whether a number describes the gear as a whole, or was requested in the scene, and does not belong to a
+/// Whether a number describes the gear as a whole or is requested in the scene, rather than describing a
 /// single part.
 bool is_figure(const std::string& name) {
   return name.starts_with("results/") ||
          (name.starts_with("gear/") && !principal_name(name.substr(5)).empty());
 }
 
-/// The weight by which differences are sorted: the difference relative to the larger value or, if it is
-/// smaller than the errors, relative to the errors, so that noise comes last. Values below a hundredth of the
-/// largest value with this unit are replaced by that hundredth, because the small force of a slack rope may
-/// change by any factor.
+/// The weight by which differences are sorted: the difference relative to the larger value. A difference
+/// below the errors is taken relative to the errors instead, so that noise comes last. Values below a
+/// hundredth of the largest value with this unit count as that hundredth, because the small force of a slack
+/// rope may change by any factor.
 double weight_of(const NumberDifference& d, double largest) {
   constexpr double kSmall = 0.01;
   if (std::isfinite(d.error()) && !d.exceeds()) return std::abs(d.difference()) / d.error();
@@ -192,7 +192,7 @@ std::vector<std::size_t> changed_figures(const std::vector<NumberDifference>& nu
   return figures;
 }
 
-/// The names of the key figures of both results, as in NumberDifference.
+/// The names of the key figures of both results, spelled as in NumberDifference.
 std::set<std::string> names_of_key_figures(const Result& before, const Result& after) {
   std::set<std::string> names;
   for (const Result* result : {&before, &after}) {
@@ -215,7 +215,7 @@ double NumberDifference::share() const {
 }
 
 bool NumberDifference::is_exact() const {
-  constexpr double kExact = 1e-9;  // a smaller error, relative to the number, counts as rounding
+  constexpr double kExact = 1e-9;  // a relative error below this is rounding
   return error() <= kExact * std::fmax(std::abs(before), std::abs(after));
 }
 

@@ -9,8 +9,7 @@
 
 namespace netloft::results {
 
-/// A number of the results `before` and `after`. If a result does not have the number, its value there is
-/// NaN.
+/// A number that the results `before` and `after` have. If one of them lacks it, its value there is NaN.
 struct NumberDifference {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::string name, unit;
@@ -34,7 +33,8 @@ struct NumberDifference {
   bool exceeds() const;
 };
 
-/// A file that only one result has, or whose text differs. The files of the scene itself are compared as one.
+/// A file that only one result has, or whose text differs between the results. The files of the scenes are
+/// not compared one by one, but as merged scenes.
 struct FileDifference {
   std::string before, after;    // paths; empty: this result has no such file
   std::vector<KeyChange> keys;  // the keys that differ, if both are TOML
@@ -42,7 +42,7 @@ struct FileDifference {
 
 /// The differences between the inputs of two results.
 struct InputDifferences {
-  std::vector<KeyChange> keys;   // of the scenes
+  std::vector<KeyChange> keys;   // keys of the scenes that differ
   bool are_scenes_known = true;  // false: a result lacks the texts of its scene, so that `keys` is empty
   // Options that only one command line has, such as "--solver newton"; --set is part of the scene.
   std::set<std::string> options_before, options_after;
@@ -51,7 +51,7 @@ struct InputDifferences {
   bool other_program = false;
   bool other_text = false;  // comments, spaces or the division into files differ
 
-  /// Whether nothing differs but, perhaps, `other_text`.
+  /// Whether nothing differs, except perhaps `other_text`.
   bool none() const;
 };
 
@@ -59,8 +59,8 @@ struct ResultDiff {
   Result before, after;
   std::vector<NumberDifference> numbers;  // sorted by name; unchanged ones are included
   // Indices of the changed numbers that a report shows first. The order is: changes that exceed their errors,
-  // key figures (key_figures.hpp), other figures; within each group, the largest share() comes first. At the
-  // end are figures without any error, such as a weight, which depend on the input only.
+  // key figures (key_figures.hpp), other figures; within each group, the largest share() comes first. Figures
+  // without any error, such as a weight, come last, because they depend on the input only.
   std::vector<std::size_t> figures;
   InputDifferences inputs;
   std::optional<NodeMove> move;  // nullopt: not compared
@@ -68,8 +68,8 @@ struct ResultDiff {
   bool both_are_answers() const { return before.is_answer() && after.is_answer(); }
 };
 
-/// Compares numbers, inputs and node positions. Forces by part are compared only if neither result has
-/// figures of a gear, which contain these forces.
+/// Compares numbers, inputs and node positions. Forces on parts are compared only if neither result has
+/// figures of a gear, which already contain these forces.
 ResultDiff compare_results(Result before, Result after);
 
 }  // namespace netloft::results

@@ -18,7 +18,7 @@ std::string unquoted(const std::string& text) {
                                                                       : text;
 }
 
-/// The number at the beginning of "2.5 kn", and the unit after it.
+/// The number at the beginning of a text such as "2.5 kn", and the unit after the number.
 struct Quantity {
   double number = 0;
   std::string unit = {};
@@ -45,7 +45,7 @@ std::vector<std::vector<KeyChange>> changes_of(const std::vector<const Result*>&
   return all;
 }
 
-/// The key of `change` in all results; nullopt unless its values are different numbers.
+/// The key of `change` with its values in all results; nullopt unless these values are different numbers.
 std::optional<VariedKey> varied_by(const KeyChange& change,
                                    const std::vector<std::vector<KeyChange>>& changes) {
   VariedKey varied{change.path, {unquoted(change.before)}, {}};

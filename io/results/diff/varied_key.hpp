@@ -18,8 +18,8 @@ struct VariedKey {
 /// Returns the first key whose values are numbers, with or without units, and all different.
 VariedKey find_varied_key(const std::vector<const Result*>& results);
 
-/// One title for several results. If all have the same title, their values of the varied key are added, such
-/// as "83-112: tow.speed 2 kn, 3 kn"; if there is no such key, their file names are added.
+/// One title for several results. If all have the same title, their values of the varied key are added:
+/// "83-112: tow.speed 2 kn, 3 kn". If no key varies, their file names are added.
 std::string title_of(const std::vector<const Result*>& results);
 
 }  // namespace netloft::results

@@ -59,7 +59,7 @@ void add_spread(const scenes::LoadedScene& loaded, Assembler& assembler, const S
 }
 
 // Step of the central differences: the largest nodal displacement along a growing motion, as a fraction of
-// the length of the gear. This step is so small that numbers change linearly, and large enough against
+// the length of the gear. The step is so small that numbers change linearly, but large compared with
 // round-off.
 constexpr double kSmallSwing = 1e-6;
 
@@ -80,9 +80,10 @@ Solution swung(const Assembler& assembler, const Solution& s, const std::vector<
   return there;
 }
 
-/// Adds the change of every number along one mode of a growing motion to `per_swing`, by the root of the sum
-/// of squares. An oscillation has two modes, a quarter of a period apart; after both, `per_swing` is the
-/// amplitude. `way`: distance between the two displaced positions of the node that moves most [m].
+/// Combines the change of every number along one mode of a growing motion with `per_swing`, as the root of
+/// the sum of squares. An oscillation has two modes, a quarter of a period apart; after both modes,
+/// `per_swing` is the amplitude. `way` is the distance between the two displaced positions of the node that
+/// moves most [m].
 void note_swing(const std::vector<NamedScalar>& to_one_side, const std::vector<NamedScalar>& to_the_other,
                 double way, std::vector<NamedScalar>& scalars) {
   for (auto& scalar : scalars) {

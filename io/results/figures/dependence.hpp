@@ -4,8 +4,8 @@
 
 namespace netloft::results {
 
-/// Adds the solver error and the range over all found equilibria to every number of a result. At an unstable
-/// equilibrium, also adds the change of the number along the motion that grows.
+/// Adds two properties to every number of a result: the solver error, and the range over all equilibria that
+/// were found. At an unstable equilibrium, also adds the change of the number along the motion that grows.
 void add_dependence(const scenes::LoadedScene& loaded, Assembler& assembler, const Solution& solution,
                     Result& result);
 

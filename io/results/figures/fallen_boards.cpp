@@ -52,7 +52,7 @@ double outward_force(const scenes::LoadedScene& loaded, const std::vector<std::u
   return apart > 0 ? work / apart : 0;
 }
 
-/// Returns a sentence about the fault of a board; empty for a board that is upright and spreads.
+/// Returns a sentence that says what is wrong with a board; empty for a board that is upright and spreads.
 std::string trouble_of(const std::string& board, double heel, double outward) {
   if (std::abs(heel) > std::numbers::pi / 2)
     return fmt::format("{} has fallen over: its top is turned {} by {:.0f}°", board,

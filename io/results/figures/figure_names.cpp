@@ -7,8 +7,8 @@ namespace netloft::results {
 
 namespace {
 
-/// Whether a figure is the spread of a pair of bodies, or a force that causes the spread. Other figures of a
-/// pair are means; tables show the figures of the two bodies instead.
+/// Whether a figure of a pair of bodies is the spread, or a force that causes it. Other figures of a pair are
+/// means, for which tables show the figures of the two bodies instead.
 bool is_of_pair(const std::string& name) {
   return name.starts_with("pairs/") &&
          (name.ends_with("/spread") || name.ends_with("/spread_force") || name.ends_with("/ground_share"));

@@ -11,8 +11,8 @@ std::string spoken(std::string name);
 /// height" for "mouth/headline_height". Empty for other figures.
 std::string principal_name(const std::string& figure);
 
-/// Whether the figures include those of a net plan. In the list, figures of a net plan come after those of
-/// rigid bodies.
+/// Whether the figures include those of a net plan. Figures of a net plan come last in the list, after those
+/// of rigid bodies.
 bool are_of_plan(const std::vector<NamedScalar>& figures);
 
 }  // namespace netloft::results

@@ -47,7 +47,7 @@ void add_outputs(const scenes::LoadedScene& loaded, const Assembler& assembler, 
   }
 }
 
-/// Whether all nodes of a part belong to rigid bodies. This is so for a board and its shoe, but not for a
+/// Whether all nodes of a part belong to rigid bodies. This is true for a board and its shoe, but not for a
 /// rope.
 bool rides_on_bodies(const Scene& scene, const Part& part) {
   return std::ranges::all_of(part.nodes, [&](std::uint32_t node) {
@@ -69,8 +69,8 @@ bool rests_on_ground(const Assembler& assembler, std::uint32_t part) {
   });
 }
 
-/// The name under which the report sums a force on a body: "water", "weight" or "ground" for the forces of
-/// parts whose nodes all belong to bodies, and the name of the part for all others, such as a warp.
+/// The name under which the report adds up a force on a body: "water", "weight" or "ground" for the forces of
+/// parts whose nodes all belong to bodies; the name of the part, such as a warp, for other forces.
 std::string source_of(const scenes::LoadedScene& loaded, const Assembler& assembler, const BodyForce& force) {
   const Part& part = loaded.scene.parts[force.part];
   if (!rides_on_bodies(loaded.scene, part)) return part.name;

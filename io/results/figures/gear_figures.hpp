@@ -5,9 +5,9 @@
 
 namespace netloft::results {
 
-/// A number that describes a gear. Its name is a path with the names of the net plan, such as
-/// "ropes/headrope/tension_end"; it is the same on the terminal, in JSON, in result files and in comparisons
-/// of results.
+/// A number that describes a gear. Its name is a path that contains names of the net plan, such as
+/// "ropes/headrope/tension_end". The name is the same on the terminal, in JSON, in result files and in
+/// comparisons of results.
 struct Figure {
   std::string name, unit, doc;
   double value = 0;
@@ -27,9 +27,8 @@ struct Figure {
 /// water is positive if the part sinks. The tension at the end of a rope is extrapolated from the two outer
 /// bars if it changes steadily there; otherwise it is the tension of the outer bar.
 ///
-/// If only the starboard half was modelled (GearInScene::times = 2), sums are doubled, so that they are those
-/// of the whole gear. Forces across the gear, along y, are not doubled, because they cancel in the whole
-/// gear.
+/// If only the starboard half was modelled (GearInScene::times = 2), sums are doubled, so that they hold for
+/// the whole gear. Forces across the gear, along y, are not doubled, because they cancel in the whole gear.
 ///
 /// A scene without a net plan has only the figures of its rigid bodies: the positions of their origins and
 /// their attitude (netloft/attitude.hpp).

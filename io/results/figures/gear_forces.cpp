@@ -19,7 +19,7 @@ struct PartGroup {
   std::vector<std::uint32_t> parts;
 };
 
-/// Groups the parts of the scene by kind; "others" are parts that are not in the net plan.
+/// Groups the parts of the scene by kind. The group "others" has the parts that are not in the net plan.
 std::vector<PartGroup> kinds_of(const GearView& gear) {
   const scenes::GearInScene& g = gear.gear();
   std::vector<PartGroup> kinds = {
@@ -30,8 +30,7 @@ std::vector<PartGroup> kinds_of(const GearView& gear) {
   const auto& parts = gear.loaded().scene.parts;
   for (std::uint32_t p = 0; p < parts.size(); ++p) {
     if (parts[p].companion)
-      continue;  // the force of a part includes that of its companion, which has the
-                 // same name
+      continue;  // the force of a part includes that of its companion, which has the same name
     kinds.front().parts.push_back(p);
     if (!planned.contains(p)) kinds.back().parts.push_back(p);
   }
@@ -78,7 +77,7 @@ std::vector<PartGroup> parts_of(const GearView& gear, const PartGroup& kind) {
   return parts;
 }
 
-/// Adds two figures: the total weight in water of all parts that sink, and the same for all parts that float.
+/// Adds two figures: the total weight in water of all parts that sink, and that of all parts that float.
 void add_budget(const GearView& gear, const std::vector<PartGroup>& parts, std::vector<Figure>& figures) {
   double sinking = 0, floating = 0;
   for (const auto& part : parts) {
@@ -116,17 +115,17 @@ double fraction_on_ground(const GearView& gear, std::uint32_t rope,
   return on / all;
 }
 
-/// A stretch of the footrope, on both sides of the gear together: its length [m], the length of it that is on
-/// the ground [m], and the normal force of the ground [N].
+/// A stretch of the footrope, on both sides of the gear together: its length [m], its length on the ground
+/// [m], and the normal force of the ground on it [N].
 struct OnGround {
   double length = 0, touching = 0, force = 0;
 };
 
 constexpr int kStretches = 5;
 
-/// Divides the contact of a node among the stretches, in proportion to their overlap with the piece of rope
-/// that the node represents. This piece lies between the distances `from` and `to` from the middle of the
-/// footrope [m]; `half` is the length from the middle to an end [m].
+/// Distributes the contact of a node among the stretches, in proportion to their overlap with the piece of
+/// rope that the node represents. This piece lies between the distances `from` and `to` from the middle of
+/// the footrope [m]; `half` is the length from the middle to an end [m].
 void add_to_stretches(double from, double to, double half, double force, bool touches,
                       std::array<OnGround, kStretches>& all) {
   for (int k = 0; k < kStretches; ++k) {

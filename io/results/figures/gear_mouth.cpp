@@ -14,8 +14,8 @@ namespace netloft::results {
 
 namespace {
 
-/// Height of the seabed at a place [m]: that of the scene or, if the scene has none, of a part whose
-/// parameters describe a bed; nullopt without a bed.
+/// Height of the seabed at a place [m]: of the scene's bed or, if the scene has none, of the bed that the
+/// parameters of a part describe; nullopt without a bed.
 std::optional<double> bed_below(const Vector& place, const Scene& scene) {
   if (scene.bed.is_there) return scene.bed.at(place.x, place.y)[0];
   for (const Part& part : scene.parts)
@@ -35,8 +35,8 @@ void add_height(const GearView& gear, std::uint32_t headline, const std::uint32_
                        middle.z - gear.middle_of(*footrope).z});
 }
 
-/// Distance between the ends of a rope [m]; in a half gear, between its one end and the mirror image of this
-/// end.
+/// Distance between the ends of a rope [m]. In a half gear, it is the distance between the one end and its
+/// mirror image.
 double spread(const GearView& gear, std::uint32_t rope) {
   const Vector way = gear.at(gear.nodes_of(rope).back()) - gear.at(gear.nodes_of(rope).front());
   return gear.is_half() ? 2 * std::abs(way.y) : norm(way);
@@ -56,7 +56,7 @@ double mouth_area(const GearView& gear, std::uint32_t headline, std::uint32_t fo
 }
 
 /// Adds figures of the water that enters the bag, if a part of the scene (a flow) computes how much the bag
-/// slows the water.
+/// slows it.
 void add_water(const GearView& gear, std::vector<Figure>& figures) {
   const Scene& scene = gear.loaded().scene;
   for (std::uint32_t part = 0; part < scene.parts.size(); ++part) {
@@ -82,8 +82,8 @@ void add_water(const GearView& gear, std::vector<Figure>& figures) {
   }
 }
 
-/// The tension at the end of a rope [N], from tensions T and lengths l of its bars, the outer one first. It
-/// is extrapolated linearly from the middles of the two outer bars if the third bar fits the trend.
+/// The tension at the end of a rope [N], from the tensions T and lengths l of its bars, beginning at this
+/// end. It is extrapolated linearly from the middles of the two outer bars if the third bar fits the trend.
 /// Otherwise, for instance if netting pulls at the end, it is the tension of the outer bar.
 double tension_at_end(const std::vector<double>& T, const std::vector<double>& l) {
   if (T.size() < 3 || !(T[0] > 0 && T[1] > 0)) return T[0];

@@ -23,8 +23,8 @@ std::vector<std::string> bodies_of(const GearView& gear, const std::vector<std::
   return names;
 }
 
-/// The mean of the figure `before` + body + `after` over the bodies of a pair; a body without this figure
-/// counts as 0.
+/// The mean over the bodies of a pair of the figure with the name `before` + body + `after`. A body without
+/// this figure counts as 0.
 double mean_of(const std::vector<Figure>& figures, const std::vector<std::string>& bodies,
                const std::string& before, const std::string& after) {
   double sum = 0;

@@ -25,7 +25,7 @@ Vector direction(const GearView& gear, std::uint32_t rope, bool from_start) {
 }
 
 /// The force in a rope at its start [N]. T are the tensions at the middles of its bars [N], l the lengths of
-/// the bars [m]. The tension of a warp changes evenly, so that it is extrapolated linearly from the first two
+/// the bars [m]. Because the tension of a warp changes evenly, it is extrapolated linearly from the first two
 /// bars.
 Vector force_at_start(const GearView& gear, std::uint32_t rope, const std::vector<double>& T,
                       const std::vector<double>& l) {
@@ -60,7 +60,7 @@ bool has(const std::vector<std::uint32_t>& parts, std::uint32_t part) {
   return std::ranges::find(parts, part) != parts.end();
 }
 
-/// The group of parts under which the power for towing a part is reported.
+/// The group under which the power for towing a part is reported.
 std::string group_of(const GearView& gear, std::uint32_t part) {
   const scenes::GearInScene& g = gear.gear();
   if (has(g.panels, part)) return "netting";

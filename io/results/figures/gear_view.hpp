@@ -11,8 +11,8 @@ namespace netloft::results {
 
 using Vector = Vec3<double>;
 
-/// Looks up the numbers of a response (outputs and forces of elements) by parts of the gear, such as
-/// positions along a rope or outputs of a panel.
+/// Gives access to a response (outputs and forces of elements) by parts of the gear: for example, positions
+/// along a rope or outputs of a panel.
 class GearView {
  public:
   GearView(const scenes::LoadedScene& loaded, const Assembler& assembler, const Response& answer)
@@ -42,9 +42,9 @@ class GearView {
   std::vector<double> output(std::uint32_t part, const KnownOutput& known) const;
   /// For each element of the part, its first output that is a tension [N].
   std::vector<double> tensions(std::uint32_t part) const;
-  /// A test whether a force is of a kind, such as PartForce::is_drag.
+  /// A condition on a force, such as PartForce::is_drag.
   using Kind = std::function<bool(const PartForce&)>;
-  /// Sum of the forces of a kind on a part [N]; of a half gear, on the modelled half.
+  /// Sum of the forces on a part that meet a condition [N]; in a half gear, on the modelled half.
   Vector force(const std::string& part, const Kind& is_of_kind) const;
   bool has_force(const std::string& part, const Kind& is_of_kind) const;
 
@@ -60,13 +60,13 @@ class GearView {
   const Response& answer_;
 };
 
-/// The force on the whole gear, computed from the force on the modelled half (`times` = 2) or on the modelled
+/// The force on the whole gear, from the force on the modelled part: half of the gear (`times` = 2) or the
 /// whole gear (`times` = 1).
 Vector whole_of(const Vector& modelled, double times);
 
 void add_mouth_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_rope_figures(const GearView& gear, std::vector<Figure>& figures);
-/// Adds figures of pairs of bodies. Uses figures of add_body_figures(), which must be called first.
+/// Adds figures of pairs of bodies. These use the figures that add_body_figures() must have added before.
 void add_pair_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_towing_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_force_figures(const GearView& gear, std::vector<Figure>& figures);

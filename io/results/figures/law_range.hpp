@@ -12,7 +12,7 @@ namespace netloft::results {
 std::string validity_text(const netloft_validity& range);
 
 /// Returns a sentence for every law (of drag, for example) that some elements use outside its range of
-/// validity. Fractions of the gear that round to 0 % are ignored.
+/// validity. A law is ignored if the fraction of the gear concerned rounds to 0 %.
 std::vector<std::string> law_range_warnings(const Scene& scene, const std::vector<LawUse>& uses);
 
 }  // namespace netloft::results

@@ -33,8 +33,8 @@ void add(const std::array<double, 3>& force, std::array<double, 3>& sum) {
 }
 
 /// The force of every term on every part, zeros included, sorted by term and then in the order of the parts.
-/// A companion is a part that adds further elements to another part and has its name; the force on the
-/// companion counts as a force on that part.
+/// A companion is a part that adds further elements to another part and has the name of that part; the force
+/// on the companion counts as a force on the other part.
 std::vector<PartLoad> find_part_loads(const Scene& scene, const std::vector<PartForce>& forces) {
   std::map<std::string, std::map<std::string, std::array<double, 3>>> sums;  // sums by term, then by part
   for (const auto& f : forces) add(f.force, sums[f.term][f.part]);

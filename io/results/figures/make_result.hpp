@@ -9,12 +9,12 @@
 
 namespace netloft::results {
 
-/// The motion of a scene at rest, as input of an evaluation: no velocities, and the digits that rounding
-/// removes from the positions, if they are known.
+/// The motion of a scene at rest, as input of an evaluation: without velocities, and with the digits that
+/// rounding removed from the positions, if these digits are known.
 Kinematics at_rest(const Solution& solution);
 
 /// The figures of the gear, computed from a response of its elements, without error estimates. Empty if there
-/// are neither a net plan nor rigid bodies.
+/// is neither a net plan nor a rigid body.
 std::vector<NamedScalar> find_figures(const scenes::LoadedScene& loaded, const Assembler& assembler,
                                       const Response& answer);
 /// The numbers that the scene requests in its table [results].
@@ -29,8 +29,8 @@ struct Numbers {
 /// The components of the forces of holds, such as "held/towing-point/x" [N].
 std::vector<NamedScalar> reactions_of(const std::vector<HoldForce>& holds);
 
-/// The numbers at the positions of the solution `there`; nullopt if the solution has no positions, or if
-/// forces cannot be evaluated at them.
+/// The numbers at the positions of the solution `there`; nullopt if the solution has no positions, or if the
+/// forces cannot be evaluated there.
 std::optional<Numbers> numbers_at(const scenes::LoadedScene& loaded, Assembler& assembler, Solution there);
 
 /// The facts of a scene that are known before it is solved.

@@ -15,12 +15,12 @@ namespace netloft::results {
 
 namespace {
 
-// Loads above this fraction of the breaking load cause a warning, because knots and splices reduce the
+// A load above this fraction of the breaking load causes a warning, because knots and splices reduce the
 // strength of a line by about a half.
 constexpr double kHighLoad = 0.5;
 
-/// The values of the figures `group`/<part>/`what`, for the part `name` of the plan and its port and
-/// starboard copies.
+/// The values of the figures `group`/<part>/`what`, where <part> is the part `name` of the plan, or its port
+/// or starboard copy.
 std::vector<double> figures_of(const std::vector<NamedScalar>& figures, const std::string& group,
                                const std::string& name, const std::string& what) {
   std::vector<double> values;
@@ -50,8 +50,7 @@ double largest_of(const std::map<std::string, double>& twine_tensions, const std
   return largest;
 }
 
-/// The value of the parameter `name` in any table of parameters, for example `board.mass`; NaN if there is
-/// none.
+/// The value of the first parameter `TABLE.name`, such as `board.mass`; NaN if there is none.
 double number_called(const Part& part, const std::string& name) {
   for (const auto& [parameter, value] : part.parameters)
     if (parameter.ends_with("." + name)) return number_or(NamedScalar::kUnknown, part.parameters, parameter);

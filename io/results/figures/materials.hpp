@@ -15,7 +15,7 @@ namespace netloft::results {
 /// netting.
 inline constexpr std::array<std::string_view, 3> kTensions = {"tension", "tension_u", "tension_v"};
 
-/// Whether a part is the part `name` of the net plan, or the port or starboard copy of it.
+/// Whether `part` is the part `name` of the net plan, or its port or starboard copy.
 bool is_called(const std::string& part, const std::string& name);
 
 /// The bill of materials of a gear, without loads: the materials of its plan, and its rigid bodies. A pair of
@@ -27,8 +27,8 @@ std::vector<Material> find_bill(const scenes::LoadedScene& loaded);
 std::map<std::string, double> largest_twine_tensions(const Scene& scene, const Assembler& assembler,
                                                      const FamilyOutputs& outputs);
 
-/// Adds masses, areas and loads to the rows of a bill, computed from the figures of the gear and the tensions
-/// of the twines.
+/// Adds masses, areas and loads to the rows of a bill, computed from the figures of the gear and from the
+/// largest tensions of twines.
 void add_loads(const std::vector<NamedScalar>& figures, const std::map<std::string, double>& twine_tensions,
                std::vector<Material>& materials);
 

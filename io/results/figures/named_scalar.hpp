@@ -12,7 +12,7 @@ struct NamedScalar {
   std::string name, unit, doc;
   double value = 0;
   double solver_error = kUnknown;  // change of the value in one more Newton step
-  double mesh_error = kUnknown;    // estimated distance from the limit of finer meshes
+  double mesh_error = kUnknown;    // estimated difference from the limit of ever finer meshes
   double mesh_order = kUnknown;    // observed order of convergence
   // Range over all equilibria that were found, if there were several.
   double least = kUnknown, largest = kUnknown;

@@ -15,8 +15,8 @@ namespace netloft::results {
 
 namespace {
 
-// Limit of plausible strain. Gears of the library reach 0.11, plans with a wrong number 0.6 and more. A test
-// panel of the trawl-gear paper, with an unreal stiffness, reaches 0.56.
+// Largest plausible strain. Gears of the library reach 0.11; plans with a wrong number reach 0.6 and more. A
+// test panel of the trawl-gear paper, which has an unrealistic stiffness, reaches 0.56.
 constexpr double kMostStrain = 0.5;
 
 /// For each part, the largest value of its outputs of one kind; 0 if it has no such output.
@@ -71,7 +71,7 @@ std::vector<std::string> doubt_warnings(const scenes::LoadedScene& loaded, const
     const ElementFamily& family = *assembler.families()[f];
     for (std::size_t k = 0; k < family.type().outputs.size(); ++k) {
       if (family.type().outputs[k].role != NETLOFT_OUTPUT_DOUBT) continue;
-      // The number of elements outside their range of validity and of all elements, by part.
+      // For each part: the number of elements outside their range of validity, and of all elements.
       std::map<std::uint32_t, std::array<std::size_t, 2>> elements;
       for (std::size_t e = 0; e < family.size(); ++e) {
         auto& [in_doubt, all] = elements[family.part(e)];

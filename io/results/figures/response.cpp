@@ -35,7 +35,7 @@ std::vector<std::int32_t> bodies_by_node(const Scene& scene) {
   return bodies;
 }
 
-/// For each part of a family and each body: whether an element of the part has a node on the body.
+/// For each pair of a part of the family and a body: whether an element of the part has a node on the body.
 std::vector<char> reached_bodies(const ElementFamily& family, std::span<const std::int32_t> body_of,
                                  std::size_t bodies) {
   std::vector<char> reached(bodies * family.parts().size());
@@ -47,8 +47,8 @@ std::vector<char> reached_bodies(const ElementFamily& family, std::span<const st
   return reached;
 }
 
-/// Adds the forces of family f on bodies. Includes forces that are zero at present, so that a motion has a
-/// value at every output.
+/// Adds the forces of family f on bodies. Forces that are zero at present are included, so that every output
+/// of a motion has a value.
 void add_body_forces(const Scene& scene, Assembler& assembler, std::size_t f, const Kinematics& motion,
                      Response& answer) {
   if (scene.bodies.empty()) return;

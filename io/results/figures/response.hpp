@@ -20,29 +20,29 @@ struct PartForce {
 
   bool is_drag() const { return traits & NETLOFT_IS_DRAG; }
   bool is_weight() const { return traits & NETLOFT_IS_WEIGHT; }
-  /// Whether the force depends on the velocity of the ground: friction, and the resistance of ground that
-  /// boards plough.
+  /// Whether the force depends on the velocity relative to the ground: friction, or the resistance of ground
+  /// that boards plough.
   bool is_along_ground() const { return traits & NETLOFT_READS_GROUND; }
 };
 
-/// The contribution of one part and term to the force on a rigid body: the sum over the nodes of the body,
-/// that is, its origin and its points.
+/// The contribution of one part and term to the force on a rigid body, summed over the nodes of the body (its
+/// origin and its points).
 struct BodyForce {
   std::uint32_t body = 0, part = 0;  // indices of body and part in the scene
   PartForce of;
 };
 
-/// The outputs and forces of the elements of a scene at positions x, which are values of all degrees of
+/// The outputs and forces of the elements of a scene at positions x, which are the values of all degrees of
 /// freedom.
 struct Response {
   std::vector<double> x;
   FamilyOutputs outputs;
   std::vector<PartForce> forces;       // internal forces are left out: they sum to zero over a part
-  std::vector<BodyForce> body_forces;  // forces of all terms, for parts with a node on the body
+  std::vector<BodyForce> body_forces;  // forces on bodies, by term, of all parts with a node on a body
 };
 
 /// Evaluates all elements of the scene at positions x. Without `with_forces`, evaluates only their outputs,
-/// which is faster. Leaves out forces that cannot be evaluated at x.
+/// which is faster. Forces that cannot be evaluated at x are left out.
 Response ask_elements(const Scene& scene, Assembler& assembler, std::span<const double> x,
                       const Kinematics& motion = {}, bool with_forces = true);
 

@@ -54,16 +54,16 @@ struct Origins {
     std::string name, version, path, hash;
   };
   std::vector<Plugin> plugins;
-  std::string plan;  // text about the forces that are evaluated, and why others are not
+  std::string plan;  // text that lists the forces that are evaluated, and why others are not
 };
 
-/// The names of a scene with a net plan.
+/// The extent of the modelled gear, and names of ropes in its net plan.
 struct GearNames {
   int times = 1;                   // 2 if only one half was modelled, else 1
   std::string headline, footrope;  // names of ropes
 };
 
-/// Other equilibria of the scene, which were found by restarting the search elsewhere.
+/// Other equilibria of the scene, found by restarting the search from other positions.
 struct FoundShapes {
   struct Other {
     // Energy [J]; largest distance of a node from its position in the solution [m].
@@ -84,7 +84,7 @@ struct Swing {
   double share = 1;  // fraction of the mass of the gear that it moves (extent.hpp)
 };
 
-/// One solve in the search for the equilibrium. It is of the scene itself, or of an easier variant, such as a
+/// One solve in the search for the equilibrium: of the scene itself, or of an easier variant, such as a
 /// coarser mesh.
 struct Stage {
   std::string name, solver, outcome, sentence;
@@ -94,7 +94,7 @@ struct Stage {
   double work = 0;
 };
 
-/// One accepted step of the solver: numbers at the point that it reached.
+/// One accepted step of the solver, with numbers at the point that it reached.
 struct Iteration {
   std::int64_t iteration = 0, factorisations = 0;
   double residual = 0, load = 0, energy = 0, seconds = 0;  // units: [N], [N], [J], [s]
@@ -108,15 +108,15 @@ struct NumericalLoss {
   double worst = 0, from = 0, until = 0;  // largest loss between two outputs [J], and their times [s]
   std::string node;                       // node whose velocity changed most between these outputs
   /// Whether the loss exceeds a twentieth of given + W, the energies in the motion. If it does, no accuracy
-  /// setting resolves the motion after the loss. Because of W, rounding errors do not count in a motion with
-  /// little energy.
+  /// setting resolves the motion after the loss. Because of W, rounding errors in a motion with little energy
+  /// are not a loss.
   bool is_large() const { return std::abs(lost) > 0.05 * (given + negligible); }
   bool is_created() const { return lost < 0; }
 };
 
 /// Facts about a motion in time.
 struct Motion {
-  // start_from: "the equilibrium", "the sketch" (the initial positions), or a result file.
+  // `start_from` is "the equilibrium", "the sketch" (the initial positions), or a result file.
   std::string integrator, start_from;
   double time = 0, resumed_from = 0;  // present time; time from which a killed run was resumed [s]
   std::int64_t steps = 0, rejected = 0;
@@ -132,9 +132,9 @@ struct Motion {
 struct KeySensitivities {
   struct Row {
     std::string figure, figure_unit;  // a key figure (key_figures.hpp), and its unit
-    std::string path, unit;           // the number as `--set` names it, and its unit as written; empty: none
+    std::string path, unit;           // path of the number for `--set`, and its unit as written (empty: none)
     double value = 0;                 // the number, in its unit
-    double derivative = 0;  // derivative derivative of the figure with respect to the number, in their units
+    double derivative = 0;            // derivative of the figure with respect to the number, in their units
     /// Change of the figure if the number increases by one percent, in the unit of the figure.
     double effect() const { return 0.01 * std::abs(value) * derivative; }
   };
@@ -147,18 +147,18 @@ struct KeySensitivities {
 /// are in the file only (StoredShape).
 struct Result {
   std::string title, path;  // title: path of the scene; path: of the result file, empty: none yet
-  std::string outcome, sentence, stability, at_fault;  // an empty outcome: the run has not ended
+  std::string outcome, sentence, stability, at_fault;  // empty `outcome`: the run has not ended
   std::vector<std::string> diagnostics, warnings;
   std::vector<std::string> notes;  // facts that are missing because the file has an older format
   Origins origins;
   std::string solver, strategy, factorisation;
   std::size_t nodes = 0, elements = 0, states = 1;
   std::optional<GearNames> gear;              // nullopt: the scene has no net plan
-  std::vector<scenes::NettingSheet> netting;  // the panels of its plan that counts and cuttings define
+  std::vector<scenes::NettingSheet> netting;  // panels of the plan that are given by counts and cuttings
   std::vector<NamedScalar> scalars;           // the numbers that the scene requests in [results]
   std::vector<NamedScalar> figures;           // figures of the gear (gear_figures.hpp)
-  // The meshes from which mesh errors were estimated, or why there are no mesh errors; empty if they were not
-  // requested.
+  // The meshes from which mesh errors were estimated, or the reason why they are unknown; empty if mesh
+  // errors were not requested.
   std::string mesh_note;
   double node_error = NamedScalar::kUnknown;  // largest displacement of a node in one more Newton step [m]
   std::vector<PartLoad> part_forces;          // sorted by term, then by part
@@ -166,7 +166,7 @@ struct Result {
   std::array<double, 3> balance{};  // sum of all forces on the gear, holds included [N]
   // Largest residual and largest load of a node [N].
   double residual = NamedScalar::kUnknown, largest_load = NamedScalar::kUnknown;
-  double energy = NamedScalar::kUnknown;          // energy of the forces that have one [J]
+  double energy = NamedScalar::kUnknown;          // energy of the forces that have a potential [J]
   std::optional<FoundShapes> shapes;              // nullopt: there was no search for other equilibria
   std::optional<Swing> swing;                     // nullopt: no motion grows
   std::optional<KeySensitivities> sensitivities;  // nullopt: not requested
@@ -175,7 +175,7 @@ struct Result {
   double work = 0;  // work in the units of framework/balance/work.hpp
   double reading_seconds = 0, setup_seconds = 0;
   Statistics statistics;
-  std::vector<Stage> stages;  // stages in the order in which they ran; one if the search solved only once
+  std::vector<Stage> stages;          // stages in their order; a search that solved only once has one
   std::vector<Iteration> iterations;  // accepted steps of the solver
   std::optional<Motion> motion;       // nullopt: the result is an equilibrium
 

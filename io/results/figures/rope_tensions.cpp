@@ -6,7 +6,7 @@
 namespace netloft::results {
 
 double RopeTensions::at(double distance) const {
-  double before = 0.5 * rest_length.front();  // distance of the middle of the bar from the start
+  double before = 0.5 * rest_length.front();  // distance from the start to the middle of the bar
   for (std::size_t bar = 0; bar + 1 < tension.size(); ++bar) {
     const double step = 0.5 * (rest_length[bar] + rest_length[bar + 1]);
     const double way = (distance - before) / step;

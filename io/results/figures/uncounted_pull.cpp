@@ -12,8 +12,8 @@ namespace netloft::results {
 
 namespace {
 
-// Least uncounted pull, as a fraction of the pull of the warps. At sea, pulls are measured to a hundredth at
-// best.
+// Smallest uncounted pull that is reported, as a fraction of the pull of the warps. At sea, pulls are
+// measured to a hundredth at best.
 constexpr double kCounts = 0.01;
 
 /// The nodes of the scene at which warps begin. The figures of towing count the pull at these nodes.

@@ -18,12 +18,12 @@ namespace netloft::results {
 
 namespace {
 
-// A position is reported if it is beyond the surface or the bed by more than this [m]. In gears of the
+// A position is reported if it is above the surface or below the bed by more than this [m]. In gears of the
 // library, netting without contact elements reaches up to 0.31 m below the bed. Mistakes cause larger values:
-// a float on a line that is longer than the water is deep is 2 m in the air; a wrong depth gives even more.
+// a float whose line is 2 m longer than the water depth is 2 m in the air; a wrong depth gives even more.
 constexpr double kClearly = 0.5;
 
-/// The part that is furthest beyond a limit (surface or bed), and the number of parts beyond it.
+/// The part that is farthest beyond a limit (surface or bed), and the number of parts beyond this limit.
 struct Beyond {
   double most = kClearly;
   std::string part;
@@ -70,8 +70,8 @@ class Whereabouts {
     return at[2] - loaded_.scene.bed.at(at[0], at[1])[0];
   }
 
-  /// Parts on which drag or buoyancy would also act above the surface, because their elements do not know
-  /// where the surface is. Leaves out warps.
+  /// Parts whose elements have drag or buoyancy even above the surface, because they do not know where the
+  /// surface is. Leaves out warps.
   std::set<std::string> feel_water_anywhere() const {
     std::set<std::string> feel, know_surface;
     for (const auto& f : answer_.forces) {
@@ -148,7 +148,7 @@ class Whereabouts {
                                   loaded_.gear->footrope, one.above));
   }
 
-  /// Explains why a gear does not touch the bottom: by its buoyancy, and by warps that are too short.
+  /// Explains why a gear does not touch the bottom: it floats, or its warps are too short.
   std::string why_it_flies() const {
     const double up = net_buoyancy();
     std::string why =
@@ -177,7 +177,7 @@ class Whereabouts {
            std::ranges::any_of(warps->second, [&](auto p) { return part(p).name == name; });
   }
 
-  /// Unstretched length of the longest of some ropes, and the height of its start above the bed [m].
+  /// The longest of some ropes: its unstretched length, and the height of its start above the bed [m].
   std::pair<double, double> longest(const std::vector<std::uint32_t>& ropes) const {
     const GearView gear(loaded_, assembler_, answer_);
     std::pair<double, double> most{0, 0};
@@ -189,7 +189,7 @@ class Whereabouts {
     return most;
   }
 
-  /// Whether all nodes of a part belong to the footrope. This is so for a part that models the contact of the
+  /// Whether all nodes of a part belong to the footrope, as for a part that models the contact of the
   /// footrope.
   bool stands_on_footrope(std::uint32_t p) const {
     if (!loaded_.gear) return false;

@@ -13,7 +13,7 @@ namespace {
 using Point = std::array<double, 3>;
 
 /// Divides an outline into triangles. The corners of the outline run up one side of the plate and down the
-/// other. Each triangle connects both sides, so that a cambered plate is curved about its height axis.
+/// other. Every triangle has corners on both sides, so that a cambered plate is curved about its height axis.
 std::vector<std::array<std::size_t, 3>> triangles_within(std::size_t corners) {
   std::vector<std::array<std::size_t, 3>> triangles;
   for (std::size_t low = 0, high = corners - 1; low + 1 < high; ++low, --high) {

@@ -10,7 +10,7 @@ namespace netloft::results {
 
 /// The shape of a rigid body, such as an otter board, in one state, for pictures.
 struct BodyPlate {
-  std::uint32_t dot = 0;  // index in StoredMesh::dots of the element at the origin of the body
+  std::uint32_t dot = 0;  // the element at the origin of the body, as an index in StoredMesh::dots
   std::vector<std::array<double, 3>> triangles{};  // three corners for each triangle, in world coordinates
                                                    // [m]
 };

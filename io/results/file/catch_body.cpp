@@ -12,7 +12,7 @@ namespace {
 
 using Side = std::array<std::uint32_t, 2>;
 
-/// How many triangles at an edge of the mesh have catch, and how many have none.
+/// The numbers of triangles at an edge of the mesh with catch, and without catch.
 struct Neighbours {
   int with = 0, without = 0;
 };

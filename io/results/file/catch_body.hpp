@@ -8,8 +8,8 @@
 
 namespace netloft::results {
 
-/// The extent of the catch in a cod-end: the triangles of netting under its pressure, and the edge of this
-/// region.
+/// The extent of the catch in a cod-end: the triangles of netting under the pressure of the catch, and the
+/// border of the region that they form.
 struct CatchBody {
   std::vector<std::uint32_t> triangles;  // indices into StoredMesh::triangles
   // Edges (pairs of nodes) between a triangle with catch and one without.

@@ -9,7 +9,7 @@
 
 namespace netloft::results {
 
-/// An end of a dimension line: a node, the mirror image of a node, or the point of the bed below the first
+/// An end of a dimension line: a node, the mirror image of a node, or the point of the bed below the other
 /// end of the line.
 struct DimensionEnd {
   enum class Where : std::uint8_t { node, mirrored, bed } where = Where::node;
@@ -24,7 +24,7 @@ struct Dimension {
 
 /// The dimension lines of a gear: height of the headline, and spreads of wings, bodies and towing points,
 /// between the points that define these figures (io/results/figures/gear_figures.hpp). A line is left out if
-/// the gear lacks one of its ends.
+/// the gear lacks one of its two end points.
 std::vector<Dimension> dimensions_of(const StoredShape& stored);
 
 /// The position of an end of a dimension line [m]. `points` are the node positions of a state, 3 per node;

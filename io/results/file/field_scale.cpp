@@ -9,12 +9,11 @@ namespace netloft::results {
 
 namespace {
 
-// A logarithmic scale begins at this fraction of its upper end, or above.
+// A logarithmic scale begins at least at this fraction of its upper end.
 constexpr double kLeastOfLargest = 1e-4;
-// The middle range of n values leaves out the n/kBeyond smallest and the n/kBeyond largest.
+// The middle range of n values excludes the n/kBeyond smallest and the n/kBeyond largest values.
 constexpr std::size_t kBeyond = 50;
-constexpr std::size_t kSample = 20000;  // number of values of a state from which the middle range is
-                                        // estimated
+constexpr std::size_t kSample = 20000;  // at most so many values of a state give the middle range
 constexpr double kTicks = 6;            // largest number of ticks of a legend
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `most`.
@@ -37,7 +36,7 @@ std::vector<double> round_steps(double lo, double hi) {
   return ticks;
 }
 
-/// Returns 1, 10, 100 …, or 1, 2, 5, 10 … if the range is shorter than two decades.
+/// Returns 1, 10, 100 …, or, if the range is shorter than two decades, 1, 2, 5, 10 …
 std::vector<double> round_powers(double lo, double hi) {
   const bool is_short = hi < 100 * lo;
   std::vector<double> ticks;
@@ -112,7 +111,8 @@ Scale FieldSpread::logarithmic(bool middle) const {
 
 FieldSpreads spreads_of(const StoredShape& stored, const std::string& field) {
   FieldSpreads spreads;
-  // In a static solve, only the last state counts, because the states of earlier stages are not equilibria.
+  // In a static solve, only the last state counts, because the earlier states, the ends of stages, are not
+  // equilibria.
   const std::size_t first = stored.stages.empty() ? 0 : stored.times.size() - 1;
   for (std::size_t state = first; state < stored.times.size(); ++state) {
     const auto values = stored.field(field, state);

@@ -30,8 +30,8 @@ class FieldSpread {
   bool is_known() const { return !sample_.empty(); }
 
   /// Returns a linear scale of all values. With `middle`, the scale leaves out the largest and the smallest
-  /// fiftieth of the values, because tensions at single corners of netting grow with every refinement of the
-  /// mesh and would use up most colours. If values are positive and begin in the lower half of the scale, the
+  /// fiftieth of the values: tensions at single corners of netting grow with every refinement of the mesh and
+  /// would use up most colours. If all values are positive and begin in the lower half of the scale, the
   /// scale begins at zero.
   Scale linear(bool middle) const;
   /// Returns a logarithmic scale of the values that linear() would use, over at most four decades; a linear
@@ -47,8 +47,8 @@ class FieldSpread {
   std::vector<double> sample_;
 };
 
-/// Ranges and scales of a field. Netting, ropes and single nodes have their own, because tensions of twines
-/// and of ropes differ by a factor of a hundred.
+/// Ranges and scales of a field. Netting, ropes and single nodes have separate ones, because tensions of
+/// ropes are a hundred times larger than tensions of twines.
 using FieldSpreads = std::array<FieldSpread, kCellKinds>;
 using FieldScales = std::array<std::optional<Scale>, kCellKinds>;
 
@@ -57,8 +57,8 @@ FieldSpreads spreads_of(const StoredShape& stored, const std::string& field);
 FieldScales scales_of(const FieldSpreads& spreads, bool is_logarithmic);
 
 /// Values at the corners of triangles: each is the mean over the triangles of the part that share the corner.
-/// A field is constant within a triangle. Because taut and slack triangles may alternate, only means show the
-/// load of the netting. NaN if the triangle itself has no value.
+/// A field is constant within a triangle, and taut and slack triangles may alternate, so that only means show
+/// the load of the netting. NaN if the triangle itself has no value.
 std::vector<std::array<double, 3>> values_at_corners(const StoredMesh& mesh,
                                                      const std::vector<double>& by_cell);
 

@@ -14,7 +14,7 @@ namespace {
 
 /// Whether the elements of a family (all elements of one type) become cells of the picture. They do if they
 /// are between nodes of their own part, on single nodes, or on origins of bodies. Elements on nodes or
-/// elements of other parts do not become cells, because they would hide those parts.
+/// elements of other parts are not drawn, because they would hide those parts.
 bool is_drawn(const scenes::LoadedScene& loaded, const ElementFamily& family) {
   if (family.repeated()) return false;
   if (family.type().element.stencil == NETLOFT_NODE || family.type().is_on_body()) return true;
@@ -44,8 +44,8 @@ class PanelPlaces {
     }
     return best;
   }
-  /// The coordinates of the first node in `nodes` that has only one pair. If they are passed to nearest() as
-  /// `near`, it chooses, for every other node, the pair on the same side of the seam.
+  /// The coordinates of the first of `nodes` that has only one pair. With these coordinates as `near`,
+  /// nearest() chooses, for every other node, the pair on the same side of the seam.
   PanelPoint anchor(std::span<const std::uint32_t> nodes) const {
     for (const auto node : nodes)
       if (places_.count(node) == 1) return places_.find(node)->second;

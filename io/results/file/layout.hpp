@@ -5,7 +5,7 @@
 namespace netloft::results {
 
 // Each function visits members of a Result together with their place in the file, below /netloft
-// (io/formats/hdf5/LAYOUT.md). The functions serve both directions: `file` and `r` are a RecordWriter and a
+// (io/formats/hdf5/LAYOUT.md). The same functions write and read: `file` and `r` are a RecordWriter and a
 // constant Result, or a RecordReader and the Result that it fills.
 
 template <class File, class AnyOrigins>

@@ -23,8 +23,8 @@ std::vector<std::string> names_or_nothing(const formats::Reader& reader, const s
   return reader.has(at) ? reader.names(at) : std::vector<std::string>{};
 }
 
-/// Calls `take` with the name (relative to `group`) and the full path of every dataset below a group, at any
-/// depth.
+/// Calls `take` for every dataset below a group, at any depth, with its name relative to `group` and its full
+/// path.
 template <class Take>
 void walk(const formats::Reader& reader, const std::string& group, const Take& take,
           const std::string& below = "") {
@@ -38,8 +38,8 @@ void walk(const formats::Reader& reader, const std::string& group, const Take& t
   }
 }
 
-/// Sorts numbers in the listed order. Names that are not in the list follow in alphabetical order. (Older
-/// versions wrote no list.)
+/// Puts numbers in the order of a list of names. Numbers that are not in the list follow in alphabetical
+/// order. (Older versions wrote no list.)
 void put_in_order(const std::vector<std::string>& order, std::vector<NamedScalar>& named) {
   std::map<std::string, std::size_t> places;
   for (const auto& name : order) places.emplace(name, places.size());

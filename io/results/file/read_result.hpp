@@ -7,7 +7,7 @@
 
 namespace netloft::results {
 
-/// Reads a result without its shapes from a result file, or from the file of a motion that is running or was
+/// Reads a result, without its shapes, from a result file or from the file of a motion that is running or was
 /// killed. Members that an older version did not write keep their defaults, and `notes` lists them. Throws
 /// FileError with a sentence if the file cannot be read, is not a result of this program, or has a newer
 /// format.

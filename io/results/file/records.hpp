@@ -14,8 +14,8 @@
 
 namespace netloft::results {
 
-// The writer and the reader for layout.hpp, which names every member of a Result once, with its place below
-// /netloft. The member functions of the writer and of the reader correspond.
+// The writer and the reader for layout.hpp, which lists every member of a Result once, with its place below
+// /netloft. Each member function of the writer has a counterpart in the reader.
 
 /// Writes the members of a Result to its file; leaves out empty lists.
 class RecordWriter {
@@ -46,7 +46,7 @@ class RecordWriter {
     else
       tree_.set_attribute(kRoot + group, name, std::string_view(value));
   }
-  /// Writes one member of all rows of a table as a dataset.
+  /// Writes one member of all rows of a table as one dataset.
   template <class Row, class Member>
   void column(const std::string& at, const std::vector<Row>& rows, Member member, const char* unit,
               const char* doc = "") {
@@ -64,8 +64,8 @@ class RecordWriter {
   void names(const std::string& at, const std::vector<Row>& rows, Member member, const char* doc = "") {
     column(at, rows, member, "", doc);
   }
-  /// Writes an optional part of the result if it exists. The reader expects the part if the dataset, group or
-  /// attribute `at` exists.
+  /// Writes an optional part of the result if it exists. The reader recognises the part by the dataset, group
+  /// or attribute `at`.
   template <class Part, class Visit>
   void sometimes(const std::string&, const std::optional<Part>& part, const Visit& visit) {
     if (part) visit(*part);

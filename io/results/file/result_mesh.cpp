@@ -74,7 +74,7 @@ class ResultMesh {
     return n[0] == n[1] || n[1] == n[2] || n[0] == n[2];
   }
 
-  /// Adds the bars of a rope in their order, each end with its fraction of the unstretched length.
+  /// Adds the bars of a rope in their order, with the fraction of the unstretched rope at each end of a bar.
   void add_bars(std::uint32_t part) {
     formats::MeshRegion region{formats::RegionKind::bars, name_of_part(part)};
     std::vector<double> ends{0};

@@ -13,13 +13,13 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-// Blocks farther apart than the width of any trawler belong to two ships.
+// Blocks that are farther apart than the widest trawler belong to two ships.
 constexpr double kWidestShip = 40;  // width of a ship [m]
 // Beams [m]: the least beam of a single ship, and the beam of each of two ships.
 constexpr double kNarrowestShip = 4, kBeam = 10;
 
-// Outlines of hull and house. A point is given by its distance ahead of the stern, over the length, and its
-// distance to starboard, over half the beam.
+// Outlines of hull and house. The coordinates of a point are its distance ahead of the stern, divided by the
+// length, and its distance to starboard, divided by half the beam.
 const std::vector<std::array<double, 2>> kHull = {{0, 1},       {0.65, 1},  {0.87, 0.6}, {1, 0},
                                                   {0.87, -0.6}, {0.65, -1}, {0, -1}},
                                          kHouse = {{0.5, 0.7}, {0.7, 0.7}, {0.7, -0.7}, {0.5, -0.7}};
@@ -37,7 +37,7 @@ std::set<std::string> warps_of(const StoredShape& stored) {
   return has_ship ? warps : std::set<std::string>{};
 }
 
-/// The upper ends of the warps, which are at the blocks. For a half gear their mirror images are added.
+/// The upper ends of the warps, which are at the blocks; for a half gear, also their mirror images.
 std::vector<Point> blocks_of(const StoredShape& stored, std::size_t state) {
   std::vector<Point> blocks;
   const auto points = stored.points(state);

@@ -10,7 +10,7 @@ namespace netloft::results {
 
 namespace {
 
-/// For one part: the nodes of the result or of the scene, by their numbers within the part.
+/// The nodes of one part: from numbers within the part to nodes of the result or of the scene.
 using PartNumbers = std::map<std::uint32_t, std::uint32_t>;
 
 std::vector<PartNumbers> numbers_of(const StoredShape& stored) {
@@ -34,7 +34,7 @@ bool are_alike(const PartNumbers& a, const PartNumbers& b) {
                     [](const auto& p, const auto& q) { return p.first == q.first; });
 }
 
-/// Takes the positions of one part after another from the result. Each function carry_… is one way to do so.
+/// Takes the positions of one part after another from the result. Each carry_… function is one way to do so.
 class Carrier {
  public:
   Carrier(const StoredShape& stored, const scenes::LoadedScene& loaded)
@@ -67,11 +67,11 @@ class Carrier {
   }
 
  private:
-  /// How a part of the scene gets its positions from a part of the result. `all`: for all nodes, because both
+  /// How a part of the scene gets its positions from a part of the result. `all`: all nodes, because both
   /// gears have the same extent. The other values are for a scene of the whole gear and a result of half a
-  /// gear, which has the starboard side only. `both`: a part in the middle, whose starboard half is in the
-  /// result. `starboard`, `port`: the parts of a pair, both from the starboard part. Positions on the port
-  /// side are mirror images.
+  /// gear, which has the starboard side only. `both`: the part is in the middle, and the result has its
+  /// starboard half. `starboard`, `port`: the part is one of a pair, and the result has the starboard one.
+  /// Positions on the port side are mirror images.
   enum class Side { all, both, starboard, port };
   struct Source {
     std::optional<std::uint32_t> part;
@@ -185,8 +185,8 @@ class Carrier {
     return panel;
   }
 
-  /// All nodes of a panel of the scene with their panel coordinates, as corners of triangles, which
-  /// carry_panel() expects; the last node is repeated to complete a triangle.
+  /// All nodes of a panel of the scene with their panel coordinates, as corners of triangles, because
+  /// carry_panel() expects triangles. The last node is repeated to complete a triangle.
   static Part places_of(const scenes::PartGeometry& geometry) {
     Part panel;
     std::vector<double>&u = panel.data[datum::kU.name], &v = panel.data[datum::kV.name];

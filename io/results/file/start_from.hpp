@@ -6,8 +6,8 @@
 namespace netloft::results {
 
 /// Positions of the nodes of a scene [m], 3 per node, taken from a result as an initial guess. A part of the
-/// scene takes them from the part of the result with the same name. If both parts are divided into elements
-/// in the same way, nodes correspond by number. Otherwise the nodes of a panel or rope are interpolated at
+/// scene takes positions from the part of the result with the same name. If both parts are divided into
+/// elements
 /// their place on the netting or along the rope. If the result is half a gear and the scene the whole gear,
 /// the starboard part of a pair is used for both sides, and a part in the middle is completed by its mirror
 /// image. Nodes of parts that are not in the result keep their initial positions. Throws FileError if none of

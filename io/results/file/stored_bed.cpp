@@ -8,8 +8,8 @@ namespace netloft::results {
 
 namespace {
 
-/// The index of the interval of ascending `places` that contains x, and the position of x in it from 0 to 1.
-/// An x beyond the ends is moved to the nearest end.
+/// The index of the interval of ascending `places` that contains x, and the position of x in the interval,
+/// from 0 to 1. An x beyond the ends is moved to the nearest end.
 std::pair<std::size_t, double> interval_of(const std::vector<double>& places, double x) {
   const auto after = std::upper_bound(places.begin() + 1, places.end() - 1, x);
   const auto i = static_cast<std::size_t>(after - places.begin()) - 1;

@@ -12,7 +12,7 @@ namespace netloft::results {
 
 namespace {
 
-// Names of fields that are computed from stored ones: the larger tension of the two twine directions, the
+// Names of fields that are computed from stored fields: the larger tension of the two twine directions, the
 // opening of meshes, and the water force per length of rope or area of netting.
 constexpr const char *kTension = "tension", *kOpening = "opening", *kWaterForce = "water_force";
 // Outputs that are totals over an element, and therefore depend on its size.

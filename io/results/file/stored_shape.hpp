@@ -12,8 +12,8 @@
 
 namespace netloft::results {
 
-/// A part of the scene, as a result file describes it. A number is NaN if the part does not have it, or if it
-/// is missing in an old file.
+/// A part of the scene, as a result file describes it. A number is NaN if the part has no such number, or if
+/// an old file lacks it.
 struct StoredPart {
   std::string name, type;
   double diameter = 0, bar = 0;  // diameter of twine, rope or float; length of a mesh bar [m]
@@ -24,8 +24,8 @@ struct StoredPart {
   bool is_contact = false;
 };
 
-/// Triangles, bars and elements on single nodes (dots) of a result, each with its part and its cell in the
-/// file.
+/// Triangles, bars and elements on single nodes (dots) of a result. Each of them has its part and its cell in
+/// the file.
 struct StoredMesh {
   std::size_t n_points = 0, n_cells = 0;
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -79,11 +79,12 @@ struct StoredSeries {
   std::vector<double> values;
 };
 
-/// A result with its shapes: parts and mesh, and the positions and fields of every state, which are read from
+/// A result with its shapes. Parts and mesh are in memory; the positions and fields of a state are read from
 /// the file on request (io/formats/hdf5/LAYOUT.md).
 class StoredShape {
  public:
-  /// Throws FileError with a sentence if read_result() does, or if the file does not contain a shape.
+  /// Throws FileError, with a sentence, for the reasons of read_result(), and if the file does not contain a
+  /// shape.
   explicit StoredShape(const std::filesystem::path& path);
 
   Result result;

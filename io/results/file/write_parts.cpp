@@ -24,7 +24,7 @@ double diameter_of(const Part& part) {
   return kNone;
 }
 
-/// The value of a datum for the first element of the part; NaN if the part does not have it.
+/// The value of a datum for the first element of the part; NaN if the part has no such datum.
 double first_of(const Part& part, const HostDatum& datum) {
   const auto* numbers = find_data(part.data, datum);
   return numbers ? numbers->front() : kNone;
@@ -32,9 +32,9 @@ double first_of(const Part& part, const HostDatum& datum) {
 
 using Axes = std::array<double, 4>;
 
-/// Returns a, b, c, d of u = a U + b V, v = c U + d V, the twine coordinates as functions of the panel
-/// coordinates. These functions are linear over the whole panel and found from the corners of one triangle.
-/// Triangles with a node on a seam that closes the panel are not used, because such a node has two pairs (U,
+/// Returns the coefficients a, b, c, d of the twine coordinates u = a U + b V, v = c U + d V, where U, V are
+/// the panel coordinates. They are the same over the whole panel, and are found from the corners of one
+/// triangle. This triangle has no node on a seam that closes the panel, because such a node has two pairs (U,
 /// V).
 Axes axes_of(const Part& part, const scenes::PartGeometry& geometry) {
   const auto *u = find_data(part.data, datum::kU), *v = find_data(part.data, datum::kV);
@@ -102,7 +102,7 @@ void write_plane(formats::Tree& tree, const scenes::BedPlane& plane, const char*
   tree.write_real("/netloft/seabed/slope_y", plane.slope_y, "1", doc);
 }
 
-/// Writes the seabed: that of the scene, or of the first part that has a bed of its own.
+/// Writes the seabed: that of the scene or, if the scene has none, of the first part with a bed of its own.
 void write_seabed(formats::Tree& tree, const Scene& scene) {
   if (scene.bed.is_there) {
     const char* doc = "seabed: z = -depth + slope_x x + slope_y y, and a relief where there is one";

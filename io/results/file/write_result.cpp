@@ -60,7 +60,7 @@ void write_state(formats::ResultFile& file, double number, const StateFields& st
   file.write_state(number, state.points, values);
 }
 
-/// Writes the states of the solve: the ends of its stages, if they were saved, and its end.
+/// Writes the states of the solve: the end of each stage, if these were saved, and the end of the solve.
 void write_picture(formats::ResultFile& file, const scenes::LoadedScene& loaded, Assembler& assembler,
                    const SolvedShapes& shapes) {
   const Solution& s = shapes.end;
@@ -120,7 +120,7 @@ void write_forces(formats::Tree& tree, const Result& result) {
                    "sum of all forces on the gear, those of the holds included");
 }
 
-/// The rank of an outcome, higher is better; `outcome` is a name that name_of() gives.
+/// The rank of an outcome: a better outcome has a higher rank. `outcome` is a name that name_of() returns.
 int rank_of(const std::string& outcome) {
   if (outcome == "converged" || outcome == "finished") return 2;
   return outcome == "unstable" ? 1 : 0;
@@ -130,7 +130,7 @@ std::string outcome_in(const std::filesystem::path& result) {
   try {
     return formats::Reader(result).text_attribute("/netloft/status", "outcome");
   } catch (const formats::FileError&) {
-    return {};  // not a result of this program, so that it may be replaced; it is kept as NAME.hdf~
+    return {};  // not a result of this program: it may be replaced, and is kept as NAME.hdf~
   }
 }
 

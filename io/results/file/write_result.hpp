@@ -33,11 +33,11 @@ void write_inputs(formats::Tree& tree, const scenes::LoadedScene& loaded, const 
 void write_ending(formats::Tree& tree, const Result& result);
 
 /// The path under which a result with this outcome is written, so that a worse result never replaces a better
-/// one: `wanted`, or beside it NAME.not-converged.hdf if `wanted` exists and has a better outcome.
+/// one: `wanted`, or, if `wanted` exists and has a better outcome, NAME.not-converged.hdf beside it.
 std::filesystem::path name_beside_better(const std::filesystem::path& wanted, const std::string& outcome);
 
-/// Writes a static result with its shapes into `file` (layout: io/formats/hdf5/LAYOUT.md). The file is then
-/// complete, but keeps its temporary name until ResultFile::finish().
+/// Writes a static result with its shapes into `file` (layout: io/formats/hdf5/LAYOUT.md). After that, the
+/// file is complete, but it keeps its temporary name until ResultFile::finish().
 void write_result(formats::ResultFile& file, const scenes::LoadedScene& loaded, Assembler& assembler,
                   const SolvedShapes& shapes, const Result& result);
 

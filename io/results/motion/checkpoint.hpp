@@ -7,8 +7,8 @@
 
 namespace netloft::results {
 
-/// The data that an interrupted motion needs to continue such that its further outputs and its report are the
-/// same, bit by bit, as without the interruption.
+/// The data from which an interrupted motion continues. Its further outputs and its report are then the same,
+/// bit by bit, as without the interruption.
 struct Checkpoint {
   MarchState state;
   MotionFindings findings;
@@ -17,7 +17,8 @@ struct Checkpoint {
 /// Packs a checkpoint into bytes for a journal beside the output.
 std::string pack_checkpoint(const MarchState& state, const MotionFindings& findings);
 
-/// Restores the same checkpoint, bit by bit. Throws FileError if the bytes are not a packed checkpoint.
+/// Restores a checkpoint, bit by bit, from its packed bytes. Throws FileError if they are not a packed
+/// checkpoint.
 Checkpoint unpack_checkpoint(const std::string& bytes);
 
 }  // namespace netloft::results

@@ -26,7 +26,7 @@ namespace {
 const std::string kEnergy = "energy/", kGear = "gear/";
 
 /// Computes one motion. The journal, the file NAME.hdf.part, is created at the first output, because the
-/// layout of an output is not known before.
+/// layout of outputs is unknown before.
 class MotionRun {
  public:
   MotionRun(runs::PreparedScene& scene, const RunContext& context, const MotionOptions& options)
@@ -58,7 +58,7 @@ class MotionRun {
   }
 
  private:
-  /// The state of rest at displacements u, in which a motion starts. Elements remember u as their last
+  /// The state of rest at the displacements u, in which a motion starts. Elements store u as their last
   /// accepted step.
   MarchState rest_at(std::span<const double> u) {
     runs::remember(scene_, u);
@@ -95,23 +95,22 @@ class MotionRun {
     ++outputs_;
   }
   void begin_journal() {
-    // The bill is made again, because the search for the equilibrium at the start may have set lengths of
-    // ropes.
+    // The bill is made again, because the search for the initial equilibrium may have set lengths of ropes.
     result_.materials = find_bill(loaded_);
     const auto origins =
         formats::hdf5_image([&](formats::Tree& tree) { write_inputs(tree, loaded_, result_); });
     journal_.emplace(formats::SeriesJournal::create(part_path(), options_.identity, origins, layout_));
   }
 
-  /// Restores the last output of a run that was killed after its last time step. Only the result file then
-  /// remains to be made.
+  /// Restores the last output of a run that was killed after its last time step, when only the result file
+  /// was missing.
   void recall_last_output() {
     describe_layout_of_killed(*from_);
     journal_->require_layout(layout_);
     recall(journal_->state(journal_->size() - 1).row);
   }
 
-  /// Sets the numbers of the result to those of one output in the journal.
+  /// Sets the numbers of the result to those of one output, a row of the journal.
   void recall(const std::vector<double>& row) {
     auto value = row.begin();
     for (auto& scalar : result_.scalars) scalar.value = *value++;
@@ -121,7 +120,7 @@ class MotionRun {
       result_.figures.push_back({column.name.substr(kGear.size()), column.unit, column.doc, *value++});
   }
 
-  /// Finds the layout of an output by making an output at the point from which the run is resumed.
+  /// Finds the layout of outputs by making an output at the point from which the run is resumed.
   void describe_layout_of_killed(const MarchState& from) {
     Assembler& assembler = scene_.assembler();
     MovingState state(assembler, 0);
@@ -170,8 +169,8 @@ class MotionRun {
     return state;
   }
 
-  /// Outputs of elements at the time of `forces`, with the positions x of the output. All outputs within one
-  /// time step have the same forces, so that the elements are evaluated only once.
+  /// Outputs of elements at the time of `forces`, with the positions x of an output. All outputs within one
+  /// time step use the same forces, so that the elements are evaluated only once per step.
   const Response& answer_at(const ForceMoment& forces, std::span<const double> x) {
     if (!answered_at_ || *answered_at_ != forces.t) {
       answer_ = ask_elements(loaded_.scene, scene_.assembler(), forces.x, forces.motion, has_figures());
@@ -223,8 +222,8 @@ class MotionRun {
     }
   }
 
-  /// Adds the figures of the gear, as columns of a series. The first output determines the columns; a figure
-  /// that is missing in a later output is NaN.
+  /// Adds the figures of the gear as columns of a series. The first output determines the columns; a figure
+  /// that a later output lacks is NaN there.
   void add_gear(const Snapshot& at, const Response& answer, formats::SeriesState& state) {
     result_.figures = find_figures(loaded_, scene_.assembler(), answer);
     add_warp_figures(loaded_, scene_.assembler(), at, result_.figures);
@@ -248,8 +247,8 @@ class MotionRun {
     return columns;
   }
 
-  /// Adds the time to which the forces belong, because an output between the ends of steps has the forces at
-  /// the end of a step.
+  /// Adds the time to which the forces belong: an output between the ends of two steps has the forces at the
+  /// end of a step.
   void add_moment_of_forces(const Snapshot& at, formats::SeriesState& state) {
     if (!loaded_.analysis.dynamics.march.dense) return;
     layout_.columns.push_back({"forces_time", "s", "end of the step to which forces and outputs belong"});
@@ -293,8 +292,8 @@ class MotionRun {
     }
     try {
       make_file();
-    } catch (const formats::Interrupted&) {  // no loss: the journal has all outputs, and a resumed run makes
-                                             // the file from it
+    } catch (const formats::Interrupted&) {  // no output is lost: the journal has them all, and a resumed run
+                                             // makes the file from it
       march.status = MarchStatus::interrupted;
       march.reason = "interrupted while the result was written";
       result_.outcome = name_of(march.status);

@@ -28,10 +28,10 @@ struct MotionOptions {
   std::function<void(const IterationRecord&)> on_iteration = {};
 };
 
-/// Integrates the motion of the scene in time as its analysis says, and writes every output into the file
-/// NAME.hdf.part: shapes and fields, the named results and the energy budget as series, and the state from
-/// which to resume. When the motion has ended, makes the result file from the .part; after an interruption,
-/// the .part remains. Throws FileError.
+/// Integrates the motion of the scene in time, as its table [analysis] says, and writes every output into the
+/// file NAME.hdf.part: shapes and fields, the named results and the energy budget as series, and the state
+/// from which to resume. When the motion has ended, makes the result file from NAME.hdf.part; after an
+/// interruption, NAME.hdf.part remains. Throws FileError.
 MotionResult run_motion(runs::PreparedScene& scene, const RunContext& context, const MotionOptions& options);
 
 }  // namespace netloft::results

@@ -12,16 +12,16 @@ namespace netloft::results {
 
 /// The findings of a MotionWatch so far. A resumed motion continues from them.
 struct MotionFindings {
-  double t = 0, numerical = 0;  // time of the last output [s]; energy that the scheme had removed until then
-                                // [J]
-  std::vector<double> v;        // velocities of the nodes at the last output, three each; empty before the
-                                // first output
+  // Time of the last output [s]; energy that the time scheme had removed until that output [J].
+  double t = 0, numerical = 0;
+  std::vector<double> v;  // velocities of the nodes at the last output, three each; empty before the
+                          // first output
   std::optional<NumericalLoss> loss;  // nullopt until the second output, or if energies are unknown
   std::vector<FallenBoard> fallen;    // each board once, with the time at which it had fallen
 };
 
 /// Compares every output of a motion with the previous one. Finds the energy that the time scheme has removed
-/// between both outputs, and boards that have fallen or are pushed inward.
+/// between the two outputs, and boards that have fallen or are pushed inward.
 class MotionWatch {
  public:
   MotionWatch(const Scene& scene, const Assembler& assembler) : scene_(scene), assembler_(assembler) {}

@@ -23,8 +23,8 @@ void set(std::vector<NamedScalar>& gear, const std::string& name, const char* un
   gear.push_back(std::move(figure));
 }
 
-/// The length of a rope at time t over its unstretched length in the scene: linear between the rows (t,
-/// factor) of the part, the last factor after them; 1 without rows.
+/// The length of a rope at time t, divided by its unstretched length in the scene. It is linear between the
+/// rows (t, factor) of the part, and constant after the last row; 1 without rows.
 double factor_at(const Part& part, double t) {
   const auto given = part.parameters.find(scenes::parameter::kLengthShare.name);
   const auto* rows = given == part.parameters.end() ? nullptr : std::get_if<Samples>(&given->second);

@@ -11,8 +11,8 @@ namespace netloft::results {
 
 namespace {
 
-/// A dataset with the rows of all states; those of a state begin at offsets[state]. `before` and `after` are
-/// the XML texts around the position of a state in the file.
+/// A dataset with the rows of all states; the rows of a state begin at offsets[state]. `before` and `after`
+/// are the XML texts before and after the number that gives the position of a state in the file.
 struct SteppedArray {
   std::string before, after;
   std::uint64_t place;  // position of the array in the file [bytes]
@@ -27,8 +27,8 @@ struct SteppedArray {
   }
 };
 
-/// The beginning of a reference to bytes in the HDF5 file. References to selections of a dataset are avoided,
-/// because XDMF 2 and XDMF 3 count the start of a selection along different dimensions.
+/// The beginning of an XML item that refers to bytes in the HDF5 file. It does not refer to a selection of a
+/// dataset, because XDMF 2 and XDMF 3 count the start of a selection along different dimensions.
 const char* const kItem =
     "<DataItem Format=\"Binary\" NumberType=\"{}\" Precision=\"8\" Endian=\"Little\" Seek=\"";
 

@@ -28,12 +28,12 @@ void add_members(const std::vector<NamedScalar>& figures, const std::string& gro
   }
 }
 
-/// A column of a table. In the row of a member (a part, rope or body) it shows the figure `before` + member +
+/// A column of a table. The row of a member (a part, rope or body) shows the figure `before` + member +
 /// `after`.
 struct Column {
   std::string heading, before, after;
   const char* format = "{:.5g}";
-  bool is_of_all = false;  // whether a member gets no row if it has a figure in this column only
+  bool is_of_all = false;  // true: a figure in this column alone gives a member no row
   double factor = 1;       // factor from SI units to the unit of the heading
 };
 
@@ -56,8 +56,8 @@ double round_off_of(const std::vector<NamedScalar>& figures, const std::vector<C
   return kTableRoundOff * largest;
 }
 
-/// Adds a table with a row for every member that has figures for the columns. A table without rows is not
-/// added.
+/// Adds a table with a row for every member that has figures for the columns; adds nothing if there is no
+/// such member.
 void add_table(const std::vector<NamedScalar>& figures, const std::string& title,
                const std::vector<Column>& columns, std::vector<FigureTable>& tables,
                bool is_for_deck = false) {
@@ -112,7 +112,7 @@ void write(const FigureTable& table, Out out) {
   if (!table.note.empty()) fmt::format_to(out, "    {}\n", table.note);
 }
 
-/// Adds a table of drag and weight by kind, or by part.
+/// Adds a table of drag and weight, by kind of part or by part.
 void force_table(const std::vector<NamedScalar>& figures, const std::string& title, const std::string& drag,
                  const std::string& weight, std::vector<FigureTable>& tables) {
   add_table(figures, title,

@@ -18,14 +18,14 @@ struct FigureTable {
   std::string note = {};     // a line below the rows
 };
 
-/// A figure that a report shows first, in the unit that is usual in the trade.
+/// A figure that a report shows first, in the unit that is usual in fisheries.
 struct PrincipalFigure {
   std::string name;         // such as "headline height"
   std::string value, unit;  // such as "0.41 ± 0.06" and "m"
   std::string doc;
 };
 
-/// Converts a figure to the unit that is usual in the trade, such as kW for W.
+/// Converts a figure to the unit that is usual in fisheries, such as kW for W.
 NamedScalar in_spoken_unit(NamedScalar figure);
 
 std::vector<PrincipalFigure> principal_figures(const std::vector<NamedScalar>& figures);

@@ -29,7 +29,7 @@ int decimals_of(double error) {
 double total_error(const NamedScalar& scalar) { return scalar.solver_error + scalar.mesh_error; }
 
 std::string measured(double value, double error, const char* format) {
-  constexpr double kNothing = 1e-9;  // a smaller error, relative to the number, is not shown
+  constexpr double kNothing = 1e-9;  // a relative error below this is not shown
   constexpr int kMostDecimals = 6;
   if (!std::isfinite(value)) return "-";
   if (!std::isfinite(error) || error <= kNothing * std::abs(value)) return plain_number(value, format);

@@ -4,15 +4,16 @@
 
 namespace netloft::results {
 
-// Forces below this fraction of the largest force of a table are round-off, and are printed as 0.
+// A force below this fraction of the largest force in its table is round-off, and is printed as 0.
 inline constexpr double kTableRoundOff = 1e-12;
 
 /// The sum of the solver error and the mesh error; NaN unless both are known, because the mesh error is
 /// usually by far the larger one.
 double total_error(const NamedScalar& scalar);
 
-/// A number with its error: "0.41 ± 0.06". Both are rounded to the first digit of the error, or to the second
-/// if the first is 1. If the error is unknown or only round-off, the number alone is written, in `format`.
+/// A number with its error: "0.41 ± 0.06". Both are rounded to the first significant digit of the error, or
+/// to the second if the first is 1. If the error is unknown or only round-off, the number alone is written,
+/// in `format`.
 std::string measured(double value, double error, const char* format = "{:.6g}");
 std::string measured(const NamedScalar& scalar, const char* format = "{:.6g}");
 

@@ -49,8 +49,8 @@ std::string chaos_text(const AchievedAccuracy& a) {
       a.unpredictable_from);
 }
 
-/// The error of the path, and whether it meets the requested accuracy. In a chaotic motion, it is the error
-/// up to the time from which the motion cannot be predicted; it is unknown if no output can be predicted.
+/// The error of the path, and whether it meets the requested accuracy. For a chaotic motion, it is the error
+/// up to the time after which the motion cannot be predicted; it is unknown if no output can be predicted.
 std::string error_text(const AchievedAccuracy& a) {
   const char* until = a.is_predictable() ? "" : " until it cannot be predicted";
   if (std::isnan(a.path) && !a.is_predictable()) return "";

@@ -14,7 +14,7 @@ namespace {
 using Cells = std::vector<std::string>;
 
 /// Adds a table with a row for every number whose member `known` is finite; among figures, only the principal
-/// figures get a row. Adds no table without rows.
+/// figures get a row. A table without rows is not added.
 template <class MakeCells>
 void add_dependence_table(const Result& result, double NamedScalar::*known, FigureTable table,
                           const MakeCells& cells, std::vector<FigureTable>& tables) {

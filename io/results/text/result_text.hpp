@@ -15,7 +15,8 @@ std::string result_csv(const Result& result);
 
 /// The outcome of a run in words: "converged, stable equilibrium", "unstable equilibrium, swinging".
 std::string ending_text(const Result& result);
-/// A short sentence about the errors of the numbers: whether ± contains them, or why they are not known.
+/// A short sentence about the errors of the numbers: whether ± includes all errors, or why they are not
+/// known.
 std::string short_errors_text(const Result& result);
 /// A longer text that also gives the meshes from which errors were estimated, and the figures that do not
 /// converge.
