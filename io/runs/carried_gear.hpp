@@ -6,15 +6,15 @@
 
 namespace netloft::runs {
 
-/// Gives the nodes of panel `to` the shape that panel `from` has. The panels are divisions of one piece of
-/// netting into different triangles, and a place on this netting is a pair of twine coordinates (u, v). `x`
-/// are the node positions of the scene of `from` [m], `positions` those of the scene of `to`, which are
-/// changed. Each node of `to` gets the position of its place in `from`: interpolated in the triangle that
-/// contains the place, or extrapolated from the nearest triangle.
+/// Gives the nodes of panel `to` the shape of panel `from`. Both panels divide the same piece of netting, but
+/// into different triangles. A place on this netting is a pair of twine coordinates (u, v). `x` contains the
+/// node positions of the scene of `from` [m], `positions` those of the scene of `to`, which are changed. Each
+/// node of `to` gets the position of its place in `from`: interpolated in the triangle that contains the
+/// place, or extrapolated from the nearest triangle.
 void carry_panel(const Part& from, const std::vector<double>& x, const Part& to,
                  std::vector<double>& positions);
 
-/// Does the same as carry_panel(), but for ropes; a place is a fraction of the unstretched length.
+/// Like carry_panel(), but for ropes; a place is a fraction of the unstretched length.
 void carry_rope(const Part& from, const std::vector<double>& x, const Part& to,
                 std::vector<double>& positions);
 

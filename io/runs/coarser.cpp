@@ -17,8 +17,8 @@ bool is_divided(const scenes::PartGeometry& part) { return !part.cells.empty(); 
 
 int half_of(int cells) { return (cells + 1) / 2; }
 
-/// Whether the cells of a part can be halved: it must have enough cells, and nothing may refer to one of its
-/// nodes by number.
+/// Whether the cells of a part can be halved: the part must have enough cells, and nothing may name one of
+/// its nodes by number.
 bool can_halve(const scenes::PartGeometry& part, Halved which) {
   if (part.is_numbered) return false;
   const int fewest = part.cells.size() == 1 ? kFewestBars : kFewestAcross;
@@ -50,8 +50,8 @@ bool has_middles(const scenes::PartGeometry& part) {
   return middles_of(part) > 0 && part.nodes.size() == corners_of(part) + middles_of(part);
 }
 
-/// The shape of a part in a scene with the node positions x [m]. It gives positions to the nodes of another
-/// division of the same part.
+/// The shape of a part in a scene with the node positions x [m]. From this shape, nodes of another division
+/// of the part get their positions.
 class Shape {
  public:
   Shape(const scenes::PartGeometry& part, const std::vector<double>& x) : part_(part), x_(x) {}
@@ -118,7 +118,7 @@ bool is_structured(const scenes::PartGeometry& part) {
   return part.nodes.size() == corners_of(part) || has_middles(part);
 }
 
-/// The place of node `own` of the part: the fraction along a rope, or the fractions across and along a panel.
+/// The place of node `own` of the part: its fraction along a rope, or its fractions across and along a panel.
 std::array<double, 2> shares_of(const scenes::PartGeometry& part, std::size_t own) {
   if (part.cells.size() == 1) return {static_cast<double>(own) / part.cells[0], 0};
   const bool is_middle = own >= corners_of(part);
@@ -140,7 +140,7 @@ bool is_numbered(const scenes::GearInScene& gear, const std::vector<scenes::Part
   return std::ranges::any_of(gear.panels, numbered) || std::ranges::any_of(gear.ropes, numbered);
 }
 
-/// Doubles the side of elements, which leaves a quarter of the nodes.
+/// Doubles the side of elements, so that a quarter of the nodes remains.
 std::vector<formats::Change> coarser_gear(const scenes::GearInScene& gear, const scenes::LoadedScene& fine) {
   const std::size_t nodes = fine.scene.node_count();
   if (nodes / 4 < kFewestNodes || is_numbered(gear, fine.parts)) return {};
@@ -148,8 +148,8 @@ std::vector<formats::Change> coarser_gear(const scenes::GearInScene& gear, const
   return {formats::make_change({"gear", "nodes"}, {{}, static_cast<std::int64_t>(gear.nodes / 4)})};
 }
 
-/// Copies the positions of origins and points of rigid bodies. VariantProblems::transfer copies the
-/// rotations.
+/// Copies the positions of origins and points of rigid bodies. Rotations are copied by
+/// VariantProblems::transfer.
 void carry_bodies(const Scene& from, const std::vector<double>& x, const Scene& to,
                   std::vector<double>& positions) {
   const auto copy = [&](std::uint32_t source, std::uint32_t target) {

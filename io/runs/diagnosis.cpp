@@ -21,10 +21,10 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-// Fractions of the largest tension in the gear: a tension below kNone counts as zero, and so does a
+// Fractions of the largest tension in the gear. A tension below kNone counts as zero, and so does a
 // compression below kCounts.
 constexpr double kNone = 1e-6, kCounts = 1e-3;
-// Neighbouring elements that turn by more than this are folded [rad].
+// Two neighbouring elements are folded if the angle between them exceeds this [rad].
 constexpr double kFolded = std::numbers::pi * 5 / 6;
 
 Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -35,7 +35,7 @@ Point cross(const Point& a, const Point& b) {
 /// Least and largest tension in a part, and the tensions of its elements.
 struct Tensions {
   double least = std::numeric_limits<double>::infinity(), largest = -least;
-  std::vector<double> of_elements;  // tension of each element [N]; the smaller one if an element has two
+  std::vector<double> of_elements;  // tension of each element [N]; the smaller of two
 };
 
 /// Makes the diagnosis. Each member function `say_…` adds the sentences about one kind of fault.

@@ -19,14 +19,14 @@ namespace netloft::runs {
 
 namespace {
 
-constexpr int kFromElsewhere = 100;  // limit of iterations from an initial guess that the user gives
+constexpr int kFromElsewhere = 100;  // limit of iterations from a start that the caller gives
 // Largest force in a loose hold (one that only keeps the gear from drifting), as a fraction of the largest
-// load on a node. The forces that a search leaves at thousands of nodes are below its tolerance; their sum in
-// such a hold is smaller than this limit.
+// load on a node. The residuals that a search leaves at thousands of nodes are below its tolerance, and their
+// sum, which such a hold bears, is below this limit.
 constexpr double kLoadOfLoose = 1e-3;
 
-/// Tells the caller how much processor time a search may take and, when this object is destroyed, that there
-/// is no limit any more.
+/// Tells the caller how much processor time a search may take and, when this object is destroyed, that the
+/// limit has ended.
 class AllowedTime {
  public:
   AllowedTime(const Watch& watch, double seconds) : watch_(watch) { announce(seconds); }
@@ -68,9 +68,9 @@ void reject(Solution& s, std::string at_fault, std::string reason) {
   s.reason = std::move(reason);
 }
 
-/// Rejects equilibria of a half gear (one side of the plane of symmetry) that has crossed this plane: the
-/// whole gear has no such equilibrium. Nodes that the user holds beyond the plane do not count. Rejects
-/// equilibria of a whole gear whose boards have crossed, too.
+/// Rejects equilibria of a half gear that has crossed its plane of symmetry, because the whole gear has no
+/// such equilibrium. Nodes that the user holds beyond the plane do not count. Also rejects equilibria of a
+/// whole gear whose boards have crossed.
 void reject_crossed(const scenes::LoadedScene& loaded, const Assembler& assembler, Solution& s) {
   const bool is_half = loaded.gear && loaded.gear->times == 2;
   for (const scenes::Crossing& crossing : scenes::find_crossings(loaded, assembler.node_positions(s.x)))
@@ -82,8 +82,8 @@ void reject_crossed(const scenes::LoadedScene& loaded, const Assembler& assemble
                           : ". No gear is meant to have this shape; start each board on its own side"));
 }
 
-/// Rejects equilibria in which a loose hold, which should only keep the gear from drifting, bears load:
-/// without the hold, the gear would not be in equilibrium there.
+/// Rejects equilibria in which a loose hold, which should only keep the gear from drifting, bears load.
+/// Without the hold, such a gear would not be in equilibrium.
 void reject_held_up(const scenes::LoadedScene& loaded, const Assembler& assembler, Solution& s) {
   for (const scenes::Hold& hold : loaded.holds) {
     if (!hold.is_loose) continue;
@@ -125,8 +125,8 @@ Solution find_equilibrium(PreparedScene& scene, const Watch& watch, const std::v
   return s;
 }
 
-// If the equilibrium of the scene is found by a damped motion instead of a solver, the motion starts at rest
-// from `u`.
+// Starts a damped motion at rest from `u` if such a motion, instead of a solver, finds the equilibrium of the
+// scene.
 Solution continue_equilibrium(PreparedScene& scene, const std::vector<double>& u, int iterations,
                               const Watch& watch) {
   const scenes::Analysis& analysis = scene.loaded().analysis;

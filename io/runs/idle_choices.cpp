@@ -22,10 +22,10 @@ bool needs(const netloft_term& term, const std::string& parameter) {
   return std::find(names.begin(), names.end(), parameter) != names.end();
 }
 
-/// The reason why a parameter has no effect: no term (force) that needs it is evaluated. Empty if such a term
+/// The reason why a parameter has no effect: no force term that needs it is evaluated. Empty if such a term
 /// is evaluated, or if no term needs the parameter. Also empty for terms that need a flow, because their
-/// parameters (such as a diameter) have other uses, and for terms that act only in a motion if the stability
-/// of the equilibrium is judged by a motion.
+/// parameters (such as a diameter) have other uses; and for terms that act only in a motion, if a motion
+/// decides whether the equilibrium is stable.
 std::string why_idle(const FamilyPlan& family, const std::string& parameter, bool motion_is_asked_for) {
   std::string reason;
   for (std::size_t t = 0; t < family.terms.size(); ++t) {

@@ -21,7 +21,7 @@ bool is_zero(const Part& part, const netloft_parameter& p) {
   return number_or(0, part.parameters, p.name) == 0;
 }
 
-/// Names of the parameters that would give the missing inertia, but are zero: "body.inertia_x,
+/// Names of the parameters that would give the missing inertia, but are zero, such as "body.inertia_x,
 /// body.inertia_y".
 std::string keys_of(const Scene& scene, Registry& registry, const MissingInertia& missing) {
   std::string keys;
@@ -49,7 +49,7 @@ std::string sentence(const Scene& scene, Registry& registry, const MissingInerti
 std::vector<SceneFault> find_missing_inertia(const Scene& scene, const ScenePlan& plan, Registry& registry,
                                              Assembler& assembler, bool is_explicit) {
   std::vector<SceneFault> faults;
-  std::set<std::string> parts;  // parts with a fault, because only one node of each is reported
+  std::set<std::string> parts;  // parts with a reported fault; only one node of each part is reported
   for (const MissingInertia& missing : netloft::find_missing_inertia(scene, plan, assembler, is_explicit)) {
     const std::string& part = scene.parts[scene.labels[missing.node].part].name;
     if (missing.body || parts.insert(part).second)

@@ -5,7 +5,7 @@
 
 namespace netloft::runs {
 
-/// Finds bodies and nodes without the inertia that a motion needs. Each fault names the part and the
+/// Finds bodies and nodes that lack the inertia that a motion needs. Each fault names the part, and the
 /// parameters of its elements that would give this inertia. `is_explicit`: the integrator divides by nodal
 /// masses.
 std::vector<SceneFault> find_missing_inertia(const Scene& scene, const ScenePlan& plan, Registry& registry,

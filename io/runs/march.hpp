@@ -7,13 +7,13 @@
 
 namespace netloft::runs {
 
-/// Integrates the motion of the scene in time as its analysis says, from the state `from`, or from the start
-/// of the scene if `from` is nullptr. `work` limits the total work of all steps, in the unit of
+/// Integrates the motion of the scene in time, as its table [analysis] says, from the state `from`, or from
+/// the start of the scene if `from` is nullptr. `work` limits the total work of all steps, in the unit of
 /// work_of_steps().
 MarchResult march(PreparedScene& scene, const MarchWatch& outputs, const Watch& watch = {},
                   const MarchState* from = nullptr, double work = std::numeric_limits<double>::infinity());
 
-/// Makes the elements remember displacements `u` as the last accepted step.
+/// Makes the elements store displacements `u` as the last accepted step.
 void remember(PreparedScene& scene, std::span<const double> u);
 
 }  // namespace netloft::runs

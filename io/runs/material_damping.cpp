@@ -17,7 +17,7 @@ namespace {
 // `rope.loss_frequency`, `rope.damping`.
 constexpr const char *kLoss = ".loss_factor", *kFrequency = ".loss_frequency", *kOwn = ".damping";
 
-/// The tables of a part's element type that have a loss factor, such as "rope" for `rope.loss_factor`.
+/// The parameter tables of a part's element type that have a loss factor: "rope" for `rope.loss_factor`.
 std::vector<std::string> tables_with_loss(const Part& part, Registry& registry) {
   std::vector<std::string> tables;
   for (const auto& p : registry.element(part.type).parameters)

@@ -18,12 +18,12 @@ namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-// Numbers of matrices and vectors that a problem holds (framework/balance: StaticProblem), and of the
-// matrices that the check of its stability holds in addition (framework/judging: find_growth).
-// tests/bench/memory.py compares them with measured memory.
+// Numbers of matrices and vectors that a problem stores (framework/balance: StaticProblem), and number of
+// matrices that the check of its stability stores in addition (framework/judging: find_growth).
+// tests/bench/memory.py compares the forecast with measured memory.
 constexpr double kMatrices = 4, kVectors = 40, kMatricesOfMotion = 3;
-// 1 + 1/4 + 1/16 + …: strategies also store coarser meshes, each with a quarter of the nodes of the next
-// finer mesh.
+// 1 + 1/4 + 1/16 + …: strategies also store coarser meshes, each with a quarter of the nodes of the previous
+// one.
 constexpr double kWithCoarser = 4.0 / 3;
 // Vectors of positions and velocities in the Krylov space of the stability check
 // (framework/judging/growth.cpp).
@@ -42,8 +42,8 @@ Pages pages() {
   return {found.addressed * size, found.resident * size};
 }
 
-/// Whether the strategy may solve the problem with the tensions of members as unknowns. The factor of that
-/// problem is stored in addition to the factor of the scene.
+/// Whether the strategy may solve the problem with the tensions of members as unknowns. The factor of this
+/// second problem is stored in addition to the factor of the scene.
 bool may_ask_for_tensions(PreparedScene& scene) {
   return !scene.loaded().analysis.strategy.empty() &&
          std::ranges::any_of(scene.assembler().families(), [](const auto& family) {
@@ -52,7 +52,7 @@ bool may_ask_for_tensions(PreparedScene& scene) {
          });
 }
 
-/// A line "name: number kB" of /proc/meminfo [bytes]; infinite if it is missing.
+/// The value of a line "name: number kB" of /proc/meminfo [bytes]; infinite if the line is missing.
 double memory_of_machine(const std::string& name) {
   std::ifstream in("/proc/meminfo");
   for (std::string line; std::getline(in, line);)
@@ -91,7 +91,7 @@ MemoryForecast foresee_memory(PreparedScene& scene) {
       scene.factorisations()(pattern.symmetric ? MatrixClass::positive_definite : MatrixClass::unsymmetric);
   factorisation->analyse(pattern);
   const double factor = factor_bytes_of(*factorisation), size = static_cast<double>(pattern.size);
-  // If the forces have an energy, the factor of the tangent decides the stability, and nothing more is
+  // If all forces have a potential, the factor of the tangent decides the stability, and nothing more is
   // stored.
   const bool is_judged_by_motion =
       !pattern.symmetric && scene.loaded().analysis.kind == AnalysisKind::statics;

@@ -15,8 +15,8 @@ struct MemoryForecast {
 };
 
 /// Orders and analyses the matrix pattern of the scene, as its first factorisation will. The forecast
-/// includes the factor of the scene, that of a strategy with tensions as unknowns, and the matrices and the
-/// Krylov space of the stability check. It excludes the coarser meshes of a strategy, and a second
+/// includes the factor of the scene, the factor of a strategy with tensions as unknowns, and the matrices and
+/// the Krylov space of the stability check. It excludes the coarser meshes of a strategy, and the second
 /// factorisation that is used if the first one fails. tests/bench/memory.py compares the forecast with the
 /// memory of runs.
 MemoryForecast foresee_memory(PreparedScene& scene);

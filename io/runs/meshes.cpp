@@ -10,7 +10,7 @@ namespace netloft::runs {
 
 namespace {
 
-// The number of cells is an int and cannot be halved more often than this.
+// Limit of coarser levels: the number of cells is an int and cannot be halved more often.
 constexpr unsigned kMostLevels = 32;
 
 /// Gives the free nodes of the coarse scene their initial positions, interpolated from those of the finer
@@ -45,8 +45,8 @@ const scenes::LoadedScene* Meshes::loaded(unsigned level) {
   return coarser_[level - 1].get();
 }
 
-/// Halves the cells of all parts. If the parts then no longer fit, halves only those with even numbers of
-/// cells.
+/// Halves the cells of all parts. If the parts then no longer fit, halves the cells only of parts with even
+/// numbers of cells.
 std::unique_ptr<scenes::LoadedScene> Meshes::read_coarser(const scenes::LoadedScene& finer) {
   for (const Halved which : {Halved::all, Halved::even_only})
     if (auto coarse = read_halved(finer, halved_cells(finer, which))) return coarse;
@@ -67,7 +67,7 @@ std::unique_ptr<scenes::LoadedScene> Meshes::read_halved(const scenes::LoadedSce
     source_.changes = std::move(changes);
     return coarse;
   } catch (const formats::Interrupted&) {
-    return nullptr;  // the interrupted search ends, too, and does not need this mesh
+    return nullptr;  // the search is interrupted and does not need this mesh
   }
 }
 

@@ -7,9 +7,9 @@
 
 namespace netloft::runs {
 
-/// The meshes of a scene for strategies that start on coarse ones. Level 0 is the scene itself; each further
-/// level has half as many cells along a side of a part, if the cells can be halved (coarser.hpp). A mesh is
-/// read on first use.
+/// The meshes of a scene for strategies that start on coarse meshes. Level 0 is the scene itself; on each
+/// further level, parts have half as many cells along a side, if the cells can be halved (coarser.hpp). A
+/// mesh is read on first use.
 class Meshes : public Levels {
  public:
   Meshes(const CaseSource& source, const scenes::LoadedScene& finest, Registry& registry);

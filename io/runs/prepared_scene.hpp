@@ -28,9 +28,8 @@ struct CaseSource {
   int threads;  // threads of the assembly and of large factorisations
 };
 
-/// A scene that is ready to be evaluated: read, checked, with a plan of the forces to evaluate, and
-/// assembled. equilibrium.hpp and march.hpp solve it. It is not movable, because the assembler refers to the
-/// scene.
+/// A scene that is ready to be evaluated: read, checked and assembled, with a plan of the forces to evaluate.
+/// equilibrium.hpp and march.hpp solve it. It is not movable, because the assembler refers to the scene.
 class PreparedScene {
  public:
   enum class State { ready, wrong_input, refused };
@@ -38,7 +37,7 @@ class PreparedScene {
     double reading = 0, setup = 0;
   };
 
-  /// `make` creates factorisations of matrices. If scenes share a `make` with stored analyses
+  /// `make` creates factorisations of matrices. If scenes share a `make` that stores its analyses
   /// (keep_analyses), a matrix pattern that they have in common is ordered and analysed only once.
   PreparedScene(CaseSource source, Registry& registry, MakeFactorisation make = {});
   ~PreparedScene();
@@ -63,15 +62,15 @@ class PreparedScene {
   const Assembler& assembler() const { return *assembler_; }
   Registry& registry() { return registry_; }
   const MakeFactorisation& factorisations() const { return make_; }
-  /// A sentence that says which loss factors of materials count, or why none does. An empty text if no part
-  /// has a loss factor.
+  /// A sentence that says which loss factors of materials are used, or why none is. Empty if no part has a
+  /// loss factor.
   const std::string& material_damping() const { return material_damping_; }
   const Seconds& seconds() const { return seconds_; }
 
   /// The scene and its coarser meshes, for the search of an equilibrium.
   VariantSource variants();
-  /// Sets the quantities that the scene left to the search (Scene::settings), such as the length of a rope,
-  /// to the values found, and makes a new assembler for them.
+  /// Sets the quantities that the scene leaves to the search (Scene::settings), such as the length of a rope,
+  /// to the values found, and makes a new assembler with these values.
   void adopt(const Solution& solution);
 
  private:
@@ -93,9 +92,9 @@ class PreparedScene {
   Seconds seconds_;
 };
 
-/// The changes to the scene that an option stands for. For example, `--solver newton:method=classic` sets
+/// The changes to the scene that an option means. For example, `--solver newton:method=classic` sets
 /// analysis.solver and analysis.newton.method. `key` is "solver", "strategy" or "integrator". Throws
-/// std::invalid_argument with a sentence if the specification cannot be read.
+/// std::invalid_argument with a sentence if `specification` cannot be read.
 std::vector<formats::Change> choose_method(const std::string& key, const std::string& specification);
 
 }  // namespace netloft::runs

@@ -8,7 +8,7 @@ namespace netloft::runs {
 
 namespace {
 
-// Least unit of work of a motion [operations]: one iteration with 1000 nodes, about 5 ms
+// Smallest unit of work of a motion [operations]: one iteration with 1000 nodes, about 5 ms
 constexpr double kLeastUnit = 1e8;
 
 ParameterBlock block_of(std::span<const netloft_parameter> table, std::size_t bytes, const Values& values) {

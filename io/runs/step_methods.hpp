@@ -7,7 +7,7 @@
 
 namespace netloft::runs {
 
-/// The integrator of an analysis and a solver for its implicit steps, with their parameters in the layout
+/// The integrator of an analysis and the solver for its implicit steps. Their parameters are in the layout
 /// that plugins read.
 class ChosenStepMethods {
  public:
@@ -26,9 +26,9 @@ class ChosenStepMethods {
   ParameterBlock integrator_parameters_, solver_parameters_;
 };
 
-/// Returns a model that counts the work of time steps in units of one Newton iteration of the scene. For
-/// scenes with fewer than 1000 nodes the unit is an iteration of a scene with 1000 nodes, because small
-/// scenes take many cheap steps.
+/// Returns a model that counts the work of time steps. Its unit is one Newton iteration of the scene; for
+/// scenes with fewer than 1000 nodes, an iteration of a scene with 1000 nodes, because small scenes take many
+/// cheap steps.
 WorkModel work_of_steps(const Assembler& assembler, const MakeFactorisation& make);
 
 }  // namespace netloft::runs

@@ -7,8 +7,8 @@ namespace netloft::runs {
 
 namespace {
 
-/// The stiffness parameter of the part whose unit, times a second, is the unit of `damping`; nullptr if there
-/// is none.
+/// The value of the stiffness parameter of the part whose unit, multiplied by seconds, is that of `damping`;
+/// nullptr if there is none.
 const double* find_stiffness(const Part& part, const ElementType& type, const netloft_parameter& damping) {
   for (const netloft_parameter& p : type.parameters) {
     if (!(p.flags & NETLOFT_STIFFNESS) || std::string(p.unit) + " s" != damping.unit) continue;

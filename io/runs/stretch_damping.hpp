@@ -10,7 +10,7 @@ namespace netloft::runs {
 /// give η, it becomes
 ///   η = β EA                                                                               (1)
 /// with β [s]. Parameters are recognised by their roles (flags), not by their names. The damping acts along
-/// the stretch only, so that rigid motions are not damped; β K would damp them, because K contains the
+/// the stretch only, so that it does not damp rigid motions. β K would damp them, because K contains the
 /// tension.
 void damp_stretch(Scene& scene, Registry& registry, double beta);
 

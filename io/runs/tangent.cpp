@@ -10,8 +10,8 @@ namespace netloft::runs {
 
 namespace {
 
-// The correction steps (2) end when a step is smaller than this fraction of the change. Rounding errors are
-// about as large: on trawls with 300 nodes, derivatives of figures differ by 1e-9 from differences of
+// The correction steps (2) end when a step is smaller than this fraction of the change. Rounding errors have
+// about this size: on trawls with 300 nodes, derivatives of figures differ by 1e-9 from differences of
 // equilibria (tests/bench/derivatives.md).
 constexpr double kNoMore = 1e-9;
 // Limit of the correction steps (2). One step is enough unless a member is slack in only one of the scenes.
@@ -42,7 +42,8 @@ bool Tangent::is_defined() const {
   return !scene_.loaded().analysis.settles && scene_.loaded().scene.settings.empty();
 }
 
-/// Evaluates the residual of a scene at the unknowns of x. Returns it with the positions in that scene.
+/// Evaluates the residual of a scene at the unknowns of x. Returns this residual and the positions in the
+/// scene.
 std::optional<Tangent::Point> Tangent::evaluate(PreparedScene& scene, const std::vector<double>& x) {
   std::vector<double> there = placed(scene.assembler(), scene.assembler().displacements_to(x));
   auto residual = residual_at(scene, {there, std::vector<double>(there.size())});
@@ -58,7 +59,7 @@ std::optional<std::vector<double>> Tangent::residual_at(PreparedScene& scene, co
   return residual;
 }
 
-/// Solves K du = −imbalance, an array over all degrees of freedom.
+/// Solves K du = −imbalance, where `imbalance` has a value for every degree of freedom.
 bool Tangent::solve(std::vector<double> imbalance, std::vector<double>& du) {
   imbalance.resize(u_.size());
   du.resize(u_.size());
@@ -91,8 +92,8 @@ std::vector<double> difference(std::vector<double> a, const std::vector<double>&
   return a;
 }
 
-/// The motion of all degrees of freedom at positions x, to first order, when the unknowns move by du. A
-/// difference of two positions would lose digits of du.
+/// The motion of all degrees of freedom at positions x, to first order, when the unknowns move by du. It is
+/// not computed as a difference of two positions, because that would lose digits of du.
 std::vector<double> motion_of(const Assembler& assembler, const std::vector<double>& x,
                               const std::vector<double>& du) {
   const std::vector<double> none(du.size(), 0.0);
@@ -106,7 +107,7 @@ std::vector<double> motion_of(const Assembler& assembler, const std::vector<doub
 }  // namespace
 
 /// The motion of all degrees of freedom in a step whose unknowns move by du. Held degrees of freedom move as
-/// the scenes say.
+/// the two scenes say.
 std::vector<double> Tangent::Step::motion(const std::vector<double>& du) const {
   std::vector<double> dx = motion_of(after.assembler(), b.x, du);
   for (std::size_t i = 0; i < dx.size(); ++i) dx[i] += b.x[i] - a.x[i];
@@ -138,7 +139,7 @@ std::optional<std::vector<double>> Tangent::between(PreparedScene& before, Prepa
                b = residual_at(after, moved({x_, {}}, dx, theta));
     if (!a || !b || !solve(difference(*b, *a), more)) return std::nullopt;  // (2)
     const double square = dot(more, more);
-    if (!(square < last)) break;  // no improvement: members become slack and taut in turn
+    if (!(square < last)) break;  // no improvement: members alternate between slack and taut
     last = square;
     for (std::size_t i = 0; i < du.size(); ++i) du[i] += more[i];
     if (square <= kNoMore * kNoMore * dot(du, du)) break;

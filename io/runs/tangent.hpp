@@ -11,12 +11,12 @@ namespace netloft::runs {
 /// Whether displacements of scene `a` are valid for scene `b`: both have the same unknowns in the same order.
 bool have_same_topology(const PreparedScene& a, const PreparedScene& b);
 
-/// Positions x + x_low over all degrees of freedom; x_low has the digits that rounding removes from x [m].
+/// Positions x + x_low of all degrees of freedom. x_low has the digits that rounding removes from x [m].
 struct ExactPlace {
   std::vector<double> x, x_low;
 };
-/// Moves a place by `times` dx; its x_low may be empty. If two places are moved from the same place, their
-/// difference has all digits of dx.
+/// Moves a place by `times` dx; the x_low of `from` may be empty. If two places are moved from the same
+/// place, their difference has all digits of dx.
 ExactPlace moved(const ExactPlace& from, const std::vector<double>& dx, double times);
 
 /// First-order changes of the equilibrium x of a scene when its values change a little. From the scene
@@ -29,12 +29,12 @@ class Tangent {
   Tangent(PreparedScene& scene, std::vector<double> x);
 
   /// The change from the scene itself to `near`, over all degrees of freedom, including held ones. nullopt if
-  /// K cannot be factorised, or if x cannot be evaluated in one of the scenes. nullopt also if the scene
-  /// leaves quantities to the search (Scene::settings), because these would have to change as well.
+  /// K cannot be factorised, if x cannot be evaluated in one of the two scenes, or if the scene leaves
+  /// quantities to the search (Scene::settings), because these would have to change as well.
   std::optional<std::vector<double>> towards(PreparedScene& near);
   /// The change between the scenes `before` and `after`. The scene itself is between them, at the fraction 1
-  /// − θ of the way. A stiff member may be slack in one of the scenes if its length differs, which makes (1)
-  /// inaccurate. Further steps remove this error and rounding errors:
+  /// − θ of the way from `before`. If lengths of a stiff member differ, it may be slack in one of the scenes,
+  /// which makes (1) inaccurate. Further steps remove this error and rounding errors:
   ///   K ddx = −(r_after(x + θ dx) − r_before(x + (θ − 1) dx))                             (2)
   /// nullopt as for towards().
   std::optional<std::vector<double>> between(PreparedScene& before, PreparedScene& after, double theta);

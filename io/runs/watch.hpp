@@ -17,8 +17,8 @@ struct Watch {
   KeptPoint* kept = nullptr;  // receives the best point found so far
   // Called after every stage of a search.
   std::function<void(const StageRecord&, std::span<const double> u)> on_stage = {};
-  /// Called after every step in time; `run` names the motion, because a comparison of methods computes
-  /// several motions.
+  /// Called after every step in time. `run` is the name of the motion, because a comparison of methods
+  /// computes several motions.
   std::function<void(const StepRecord&, const std::string& run)> on_step = {};
   /// Called with the processor time allowed from now on [s], and with infinity at the end of the search.
   std::function<void(double)> on_budget = {};

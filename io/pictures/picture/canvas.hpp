@@ -19,16 +19,15 @@ struct Image {
 };
 
 /// Collects the fragments of every pixel, translucent or opaque, with their depths, so that the order of
-/// drawing does not matter. A pixel has one sample; the painter draws several times with shifted samples and
-/// averages the pictures.
+/// drawing does not matter. A pixel has one sample; the painter therefore draws several times with shifted
+/// samples, and averages the pictures.
 class Canvas {
  public:
   Canvas(std::size_t width, std::size_t height);
 
   std::size_t width() const { return width_; }
   std::size_t height() const { return height_; }
-  /// Adds colour to a pixel; `depth` increases towards the eye. Fragments behind an opaque fragment are
-  /// dropped.
+  /// Adds colour to a pixel; `depth` increases towards the eye. Fragments behind an opaque one are dropped.
   void add(std::size_t x, std::size_t y, double depth, const Colour& colour, double alpha);
   /// The colour of a pixel: its fragments are composited from back to front over the background colour
   /// `ground`.

@@ -9,8 +9,8 @@ namespace netloft::pictures {
 /// Red, green and blue from 0 to 1.
 using Colour = std::array<float, 3>;
 
-/// Viridis (S. van der Walt and N. Smith, matplotlib, CC0) from 0 to 1. Its brightness rises evenly, so that
-/// it is also suitable for colour-blind readers and for grey prints.
+/// The colour map Viridis (S. van der Walt and N. Smith, matplotlib, CC0) at `place`, from 0 to 1. Its
+/// brightness rises evenly, so that it also suits colour-blind readers and grey prints.
 Colour colour_at(double place);
 /// The evenly spaced colours between which colour_at() interpolates. Pages receive them as data.
 const std::array<Colour, 9>& colour_stops();

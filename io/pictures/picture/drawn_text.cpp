@@ -56,7 +56,7 @@ void blend(Image& image, long x, long y, const Colour& colour, float opacity) {
   image.set(column, row, mixed);
 }
 
-/// Writes one letter at (x, y). Along the line, positions are exact to a fraction of a pixel.
+/// Writes one letter at (x, y). Its position along the line is exact to a fraction of a pixel.
 void write_letter(Image& image, double x, double y, int character, float scale, const Colour& colour) {
   const double whole = std::floor(x);
   const auto shift = static_cast<float>(x - whole);

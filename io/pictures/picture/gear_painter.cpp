@@ -11,7 +11,7 @@ namespace netloft::pictures {
 
 namespace {
 
-// Least distance of twines [pixels]. If twines are closer, only every second, fourth … is drawn.
+// Least distance of twines [pixels]. If twines are closer, only every second, fourth … twine is drawn.
 constexpr double kCloseness = 5;
 constexpr double kLeastTwine = 0.5;  // least half width [pixels]
 constexpr double kLeastRope = 1.3;
@@ -42,8 +42,8 @@ struct Plane {
 };
 
 /// The fraction of a pixel that twines cover. Twines lie at whole numbers of `u`; `slope` is the change of u
-/// per pixel. If twines are too close, only every second, fourth … twine is drawn; those that are about to be
-/// omitted fade out.
+/// per pixel. If twines are too close, only every second, fourth … twine is drawn. Twines fade out before
+/// they are left out.
 double twine_cover(double u, double slope, double half_width) {
   const double per_pixel = std::max(slope, 1e-9), level = std::max(0.0, std::log2(per_pixel * kCloseness));
   const double spacing = std::exp2(std::floor(level)), n = std::round(u / spacing);
@@ -51,7 +51,7 @@ double twine_cover(double u, double slope, double half_width) {
   return fade * std::clamp(half_width + 0.5 - std::abs(u - spacing * n) / per_pixel, 0.0, 1.0);
 }
 
-/// A side on the boundary of a part, which belongs to only one triangle of the part.
+/// A side on the boundary of a part: only one triangle of the part has it.
 struct Side {
   std::array<std::uint32_t, 2> nodes;
   std::uint32_t cell;
@@ -169,7 +169,7 @@ class GearPainter {
              1e-9);
   }
 
-  /// The brightness of a surface, which is larger if it faces the eye.
+  /// The brightness of a surface; it is larger if the surface faces the eye.
   double light_on(const Plane& depth) const {
     const double steepness = depth.slope() * projection_.pixels_per_metre;
     return light_at(1 / std::sqrt(1 + steepness * steepness));
@@ -177,8 +177,9 @@ class GearPainter {
 
   static double light_at(double towards_the_eye) { return 0.62 + 0.38 * towards_the_eye; }
 
-  /// Paints the catch as a body within the netting. Its front is closed by triangles to the middle of the
-  /// rim, and lit like a plane, because the rim follows the sides of netting triangles in a zigzag.
+  /// Paints the catch as a body within the netting. Its front is closed by triangles from the rim to the
+  /// middle of the rim. They are lit like one plane, because the rim follows the sides of netting triangles
+  /// in a zigzag.
   void paint_catch() {
     const Solid catch_body{kCatchColour, kInside, {}};
     for (const auto t : shape_.fish.triangles) paint_solid(corners_of(t), catch_body);
@@ -245,8 +246,8 @@ class GearPainter {
     });
   }
 
-  /// The coordinates along both twine directions as functions on the picture; empty if the coordinates are
-  /// unknown.
+  /// The coordinates along both twine directions, as linear functions on the picture; empty if the
+  /// coordinates are unknown.
   std::vector<Plane> twines_of(std::size_t t, const std::array<Point3, 3>& p) const {
     const auto& axes = part(mesh_.triangle_cells[t]).twine_axes;
     const auto& uv = mesh_.corners[t];

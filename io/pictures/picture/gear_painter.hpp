@@ -7,8 +7,8 @@
 
 namespace netloft::pictures {
 
-/// Paints netting (with as many twines as the picture resolves), ropes and floats. In every pixel, surfaces
-/// correctly hide what is behind them.
+/// Paints netting (with as many twines as the picture resolves), ropes and floats. Hidden surfaces are
+/// removed in every pixel.
 Image paint(const GearShape& shape, const Projection& projection, std::size_t width, std::size_t height,
             const Colour& ground);
 

@@ -32,8 +32,7 @@ struct GearShape {
   }
   /// The colour of a rigid body.
   Colour colour_of_plate(const results::BodyPlate& plate) const;
-  /// Whether the picture shows single nodes in contact with the bed. It does only if no other cells have the
-  /// field.
+  /// Whether the picture shows single nodes that touch the bed: only if no other cells have the field.
   bool shows_contacts() const;
 
  private:
@@ -50,8 +49,8 @@ struct Colouring {
 /// Throws std::invalid_argument with a sentence for a field that the result does not have.
 GearShape shape_of(const results::StoredShape& stored, std::size_t state, const Colouring& colouring);
 
-/// The parts that must fit in a picture: the netting; the netting, boards and other bodies; or all parts,
-/// with bridles, warps and ship.
+/// The parts that must fit in a picture. `netting`: the netting; `boards`: also boards and other bodies;
+/// `all`: also bridles, warps and ship.
 enum class Framing { netting, boards, all };
 
 /// The framing "netting", "boards" or "all"; nullopt for other names.

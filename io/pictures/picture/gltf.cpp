@@ -45,7 +45,7 @@ struct Vertices {
 
 using Primitives = std::map<std::pair<std::uint32_t, Mode>, Vertices>;
 
-/// The index of the ship. It is not a part of the gear, and its index follows those of the parts.
+/// The index of the ship, as if it were one more part after the parts of the gear.
 std::uint32_t ship_of(const GearShape& shape) {
   return static_cast<std::uint32_t>(shape.stored->parts.size());
 }
@@ -106,7 +106,8 @@ class GltfWriter {
   }
 
  private:
-  /// Adds separate nodes for the mirrored half with the same meshes, because a node may have only one parent.
+  /// Adds nodes for the mirrored half. They use the same meshes, but must be separate, because a node may
+  /// have only one parent.
   static void add_mirrored(std::size_t parts, Json& nodes, Json& halves) {
     Json children = Json::array();
     for (std::size_t i = 0; i < parts; ++i) {
@@ -134,8 +135,8 @@ class GltfWriter {
             {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 1.0}}}};
   }
 
-  /// The material that shows the twines of a part. If the directions of the twines are not known, it is the
-  /// plain material. Parts of the same netting share a material.
+  /// The material that shows the twines of a part. If the twine directions are unknown, it is the plain
+  /// material. Parts with the same netting share a material.
   std::size_t material_of_netting(std::uint32_t part) {
     const results::StoredPart& p = shape_.stored->parts[part];
     const double half_width = std::isfinite(p.diameter / p.bar) ? p.diameter / p.bar / 2 : 0;

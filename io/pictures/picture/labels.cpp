@@ -13,13 +13,13 @@ constexpr double kOff = 6;  // distance from the line, and from the edges of the
 // Distances of a label that is not directly beside its line [pixels].
 constexpr std::array kFarOff = {26.0, 50.0, 80.0, 120.0, 170.0};
 
-// The costs of a place; a hidden pixel of the drawing costs 1. A label has about 2000 pixels.
+// The costs of a place for a label. A hidden pixel of the drawing costs 1; a label has about 2000 pixels.
 constexpr double kOnLabel = 20;     // a pixel of another label
 constexpr double kOnLine = 60;      // a pixel of the length of a line that runs through the label
 constexpr double kCrossing = 200;   // a line that the leader crosses
 constexpr double kAlong = 300;      // a leader that looks like a continuation of its line
 constexpr double kPerPixel = 4;     // a pixel of distance from the line
-constexpr double kOffMiddle = 60;   // the distance from the middle of the line, as a fraction of its length
+constexpr double kOffMiddle = 60;   // per distance from the middle of the line, as a fraction of its length
 constexpr double kLeastApart = 60;  // a leader, however short
 
 /// The overlap of two labels [pixels²]. Each label has a margin, because labels that nearly touch look like
@@ -36,8 +36,8 @@ double within(double at, double lo, double hi) { return std::max(lo, std::min(at
 
 using Stroke = std::array<Point3, 2>;
 
-/// The length of a stroke that lies in a frame with a small margin [pixels]: the stroke is cut at the four
-/// sides of the frame in turn.
+/// The length of the piece of a stroke that lies in a frame with a small margin [pixels]. The stroke is cut
+/// at the four sides of the frame in turn.
 double length_inside(const Stroke& stroke, const Frame& frame) {
   constexpr double kMargin = 2;
   const auto& [a, b] = stroke;

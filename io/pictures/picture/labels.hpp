@@ -13,8 +13,8 @@ struct LabelledLine {
   double words = 0;
 };
 
-/// The place of a label, and the point of its line to which it belongs. A label that stands apart from its
-/// line needs a leader from there to that point.
+/// The place of a label, and the point of its line to which the label belongs. A label that stands apart from
+/// its line needs a leader between its frame and that point.
 struct LabelPlace {
   Frame frame;
   Point3 point;
@@ -27,10 +27,10 @@ struct LabelPlace {
 /// The fraction of a frame in which a label would hide something, 0 to 1.
 using Cover = std::function<double(const Frame&)>;
 
-/// Places of the labels beside lines, `size` high, in the order of the lines. Each label is tried at seven
-/// positions along its line, on four sides and at several distances, and is moved into `picture` if it would
-/// cross the edge. It gets the place where it hides as little as possible of earlier labels, lines, leaders,
-/// and the drawing (`cover`).
+/// Places for the labels of `lines`, `size` high, in the order of the lines. For each label, seven positions
+/// along its line are tried, on four sides and at several distances; a place that would cross the edge is
+/// moved into `picture`. The label gets the place where it hides as little as possible of earlier labels,
+/// lines, leaders, and the drawing (`cover`).
 std::vector<LabelPlace> place_labels(const std::vector<LabelledLine>& lines, double size,
                                      const Frame& picture, const Cover& cover = {});
 

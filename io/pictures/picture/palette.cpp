@@ -35,7 +35,7 @@ std::size_t pixels_in(Box box) {
   return sum;
 }
 
-/// The colour axis along which a box is longest, and its length there.
+/// The colour axis along which a box is longest, and its length along this axis.
 std::pair<std::size_t, int> longest_side(Box box) {
   std::pair<std::size_t, int> longest{0, -1};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -48,7 +48,7 @@ std::pair<std::size_t, int> longest_side(Box box) {
   return longest;
 }
 
-/// The index at which to cut a box, such that about half of the pixels are on either side and neither side is
+/// The index at which to cut a box. About half of its pixels are then on either side, and neither side is
 /// empty.
 std::size_t median_of(Box box) {
   const std::size_t half = pixels_in(box) / 2;

@@ -38,9 +38,7 @@ PartLegend::PartLegend(const GearShape& shape, double width) : width_(width) {
 void PartLegend::add(const Colour& colour, const std::vector<std::string>& names) {
   const double length =
       kSquare + kAfterSquare + text_width(fmt::format("{}", fmt::join(names, ", ")), kNameSize);
-  if (x_ + length > width_ && length <= width_)
-    x_ = width_;  // a new row, unless the name is too long for
-                  // any row
+  if (x_ + length > width_ && length <= width_) x_ = width_;  // begins a new row
   for (std::size_t i = 0; i < names.size(); ++i)
     append(names[i] + (i + 1 < names.size() ? ", " : ""), i == 0 ? std::optional(colour) : std::nullopt);
   x_ += kAfterColour;

@@ -4,8 +4,8 @@
 
 namespace netloft::pictures {
 
-/// The legend of a picture whose colours show parts: each colour with the names of its parts, in rows.
-/// Because colours repeat after eight parts, a colour may have several names.
+/// The legend of a picture whose colours show parts. It lists each colour with the names of its parts, in
+/// rows. Because colours repeat after eight parts, a colour may have several names.
 class PartLegend {
  public:
   /// The legend of a shape in rows of `width` pixels; it has no rows if a field is shown.

@@ -8,7 +8,8 @@
 
 namespace netloft::pictures {
 
-/// A drawing as a PNG file. Lines and texts are stored until the size is known; texts are drawn over lines.
+/// A drawing as a PNG file. Lines and texts are stored until the size is known; then lines are drawn, and
+/// texts over them.
 class PixelPicture : public formats::LineDrawing {
  public:
   void line(formats::PicturePoint from, formats::PicturePoint to, const char* colour, double width) override;

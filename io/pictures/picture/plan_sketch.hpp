@@ -6,8 +6,8 @@
 
 namespace netloft::pictures {
 
-/// The outlines and names of the panels in their places on the plan, as SVG; in a half model, only the
-/// modelled half. An empty text if the result does not contain the places of panels on the plan.
+/// The outlines and names of the panels at their places on the plan, as SVG. For a half model, it shows only
+/// the modelled half. Empty if the result does not contain the places of panels on the plan.
 std::string plan_sketch(const results::StoredShape& stored);
 
 }  // namespace netloft::pictures

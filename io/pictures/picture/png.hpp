@@ -10,7 +10,7 @@ namespace netloft::pictures {
 std::string png(const Image& image);
 
 /// A PNG file with at most 256 colours (palette.hpp). For pictures of nets, in which neighbouring pixels
-/// always differ, it is a third as large as that of png().
+/// usually differ, its size is a third of that of png().
 std::string small_png(const Image& image);
 
 }  // namespace netloft::pictures

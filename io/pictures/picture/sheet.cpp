@@ -99,7 +99,7 @@ SheetLayout empty_layout(bool is_dark) {
   return layout;
 }
 
-/// Height of a picture that the points fill in a view, within limits [pixels].
+/// The height that a picture of the points needs in a view, within limits [pixels].
 double picture_height(View view, const std::vector<Point3>& points, double width) {
   const Projection projection = fit(view, points, {kMargin, 0, width - 2 * kMargin, 1e9});
   double low = INFINITY, high = -INFINITY;

@@ -19,8 +19,8 @@ struct SheetOptions {
   bool is_small = false;  // true: an SVG with few colours, for pages
 };
 
-/// Title, picture, legends and scale bar as SVG: letters and lines are vectors, and the gear is a pixel image
-/// with correct hidden surfaces. Throws std::invalid_argument for a field that the result does not have.
+/// Title, picture, legends and scale bar as SVG. Letters and lines are vectors; the gear is a pixel image, in
+/// which hidden surfaces are removed. Throws std::invalid_argument for a field that the result does not have.
 std::string svg_sheet(const results::StoredShape& stored, const SheetOptions& options);
 
 /// The same sheet as the bytes of a PNG file.

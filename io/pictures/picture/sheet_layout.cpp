@@ -17,7 +17,8 @@ namespace {
 
 constexpr double kBarWidth = 260, kBarHeight = 11, kRow = 38, kBesideBar = 16, kAfterBar = 12,
                  kLegendTitle = 13;
-// Shorter dimension lines [pixels] are left out, because they are nearly parallel to the line of sight.
+// Dimension lines shorter than this [pixels] are left out, because they are nearly parallel to the line of
+// sight.
 constexpr double kLeastDimension = 24;
 
 /// Formats three significant digits, or all digits before the point of a larger number.
@@ -127,8 +128,7 @@ void add_leader(const LabelPlace& place, SheetLayout& layout) {
 
 /// The fraction of a frame in which the gear is painted.
 double painted_in(const Frame& frame, const Image& painted, double top, const Colour& ground) {
-  constexpr double kStep = 3, kSame = 0.02;  // distance of samples [pixels]; difference of colours that is
-                                             // not visible
+  constexpr double kStep = 3, kSame = 0.02;  // distance of samples [pixels]; invisible difference of colours
   double seen = 0, all = 0;
   for (double y = frame.top - top; y < frame.top - top + frame.height; y += kStep)
     for (double x = frame.left; x < frame.left + frame.width; x += kStep) {

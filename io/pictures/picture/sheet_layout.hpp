@@ -33,8 +33,8 @@ struct SheetLayout {
 /// Height and greatest width of the legends of a shape [pixels]; zero if there are none.
 double legend_height(const GearShape& shape);
 double legend_width(const GearShape& shape);
-/// Adds colour bars with round values: one each for netting, ropes and single nodes, as far as they have the
-/// field. The upper right corner is at (right, top).
+/// Adds colour bars with round values: one for each of netting, ropes and single nodes that has the field.
+/// The upper right corner of the bars is at (right, top).
 void add_legends(const GearShape& shape, double right, double top, SheetLayout& layout);
 
 /// Adds a scale bar of a round number of metres with its left end at (x, y), at most `longest` long [pixels].

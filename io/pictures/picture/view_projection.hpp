@@ -14,8 +14,8 @@ enum class View { side, top, front, oblique };
 /// The view "side", "top", "front" or "oblique"; nullopt for other names.
 std::optional<View> view_of(const std::string& name);
 
-/// The direction towards the eye of a view: azimuth about z from x towards y, elevation above the horizontal
-/// [degrees].
+/// The direction from the gear to the eye in a view: azimuth about z from x towards y, elevation above the
+/// horizontal [degrees].
 struct ViewAngles {
   double azimuth, elevation;
 };

@@ -13,8 +13,8 @@ std::string card_text(const results::NamedScalar& figure);
 /// The outcome of a run, as a word with a coloured dot.
 std::string badge_html(const results::Result& result);
 
-/// The key figures with their errors, as boxes at the top of a page. For two results, a box has both values.
-/// An empty text if the results have no key figures.
+/// The key figures with their errors, as boxes at the top of a page. With two results, each box has both
+/// values. Empty if the results have no key figures.
 std::string key_figures_html(const std::vector<const results::Result*>& results);
 
 }  // namespace netloft::pictures

@@ -11,8 +11,8 @@ namespace netloft::pictures {
 
 namespace {
 
-/// Reorders bytes: the first bytes of all numbers, then all second ones … Neighbouring bytes are then similar
-/// and compress well.
+/// Reorders bytes: first the first bytes of all numbers, then their second bytes, and so on. Neighbouring
+/// bytes are then similar and compress well.
 template <class Number>
 std::vector<unsigned char> shuffled(std::span<const Number> numbers) {
   std::vector<unsigned char> bytes(numbers.size_bytes());

@@ -8,11 +8,11 @@
 
 namespace netloft::pictures {
 
-/// A page with the viewer, in one file that needs no network: report and pictures are static, and scripts add
+/// A page with the viewer, in one file that needs no network. Report and pictures are static, and scripts add
 /// the viewer above them. Two results are shown in one picture; three or more form a sweep.
 std::string view_page(const std::vector<const results::StoredShape*>& shapes, std::size_t most_states);
 
-/// The classes of the viewer and `start`, which uses them, as one script.
+/// One script with the classes of the viewer, followed by `start`, which uses them.
 std::string viewer_script(const std::string& start);
 
 /// A page with the report only, without scripts.

@@ -9,8 +9,8 @@ extern const char* const kPageClasses;    // the scripts of page/ except the las
 extern const char* const kPageStart;      // the script that shows the results of a page
 extern const char* const kPageStyle;
 extern const char* const kPageBody;  // the elements of the viewer
-extern const char* const
-    kPagePolicy;  // the Content-Security-Policy: only these two scripts and this style, no network
+// The Content-Security-Policy: only the two scripts and the style of the page, no network.
+extern const char* const kPagePolicy;
 extern const char* const kPageQuietPolicy;  // the policy of a page without scripts
 
 }  // namespace netloft::pictures

@@ -52,7 +52,7 @@ class HtmlTable {
     html_ += "<td class=\"number\">" + in_html(text) + "</td>";
     return *this;
   }
-  /// A fraction as a bar with its percentage; `of` is the name of the item that bears the load.
+  /// A load as a bar with the percentage `share`; `of` is the name of the item that bears the load.
   HtmlTable& share(double share, const std::string& of) {
     if (!std::isfinite(share)) return value("–");
     const std::string percent = number(100 * share, "{:.0f}");
@@ -164,8 +164,8 @@ std::string convergence_html(const results::Result& result) {
          "</details>\n";
 }
 
-/// A path as written. An absolute path, which means something on one machine only, is reduced to the file and
-/// its folder.
+/// A path as written. An absolute path has a meaning only on one machine, and is reduced to the file and its
+/// folder.
 std::string shown_path(const std::string& path) {
   const std::filesystem::path full = path;
   return full.is_absolute() ? (full.parent_path().filename() / full.filename()).string() : path;

@@ -10,8 +10,8 @@ namespace netloft::pictures {
 
 /// Outcome, notes and warnings.
 std::string summary_html(const results::Result& result);
-/// The panels to cut, then the bill of materials, which compares loads with breaking loads. Empty if there is
-/// no plan.
+/// The panels to cut, followed by the bill of materials with loads and breaking loads. Empty if there is no
+/// plan.
 std::string materials_html(const results::Result& result);
 
 /// The tables of boards and warps, which skippers read first.

@@ -92,8 +92,8 @@ void put_mesh(const results::StoredMesh& mesh, Json& json) {
 
 using Origin = std::array<double, 3>;
 
-/// Positions relative to the origin, rounded to multiples of a power of two below a millionth of the gear's
-/// size, because more digits would not compress.
+/// Positions relative to the origin, rounded to multiples of a power of two that is below a millionth of the
+/// gear's size, because further digits would not compress.
 std::vector<double> shifted(std::vector<double> points, const Origin& origin) {
   double size = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -204,8 +204,8 @@ Json catch_json(const results::StoredShape& stored) {
   return {{"triangles", packed(body.triangles)}, {"rim", packed(flat(body.rim))}};
 }
 
-/// An end of a dimension line: its node, and whether the mirror image of the node is meant; null for an end
-/// on the bed below the other end.
+/// An end of a dimension line: its node, and whether the node or its mirror image is the end; null for an end
+/// on the bed, below the other end.
 Json end_json(const results::DimensionEnd& end) {
   if (end.where == results::DimensionEnd::Where::bed) return nullptr;
   return {{"node", end.node}, {"mirrored", end.where == results::DimensionEnd::Where::mirrored}};

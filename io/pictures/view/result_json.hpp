@@ -7,8 +7,8 @@
 
 namespace netloft::pictures {
 
-/// The numbers of results for the scripts of the page, as JSON. It contains no '<', so that no text can close
-/// the surrounding element. If a motion has more than `most_states` states, only `most_states` of them,
+/// The numbers of results for the scripts of the page, as JSON. The text contains no '<', so that it cannot
+/// close the surrounding element. If a motion has more than `most_states` states, only `most_states` of them,
 /// evenly spaced, are included.
 std::string results_json(const std::vector<const results::StoredShape*>& results, std::size_t most_states);
 

@@ -72,8 +72,8 @@ py::array residual_at(Answer& answer, const std::vector<double>& u) {
   return copy_of(residual);
 }
 
-/// The exception of the solver or strategy in Python; None if there was none, or if it came from C++, in
-/// which case the reason names it.
+/// The exception that the solver or strategy in Python raised; None if there was none, or if it came from
+/// C++. In the second case, the reason of the answer names it.
 py::object raised_by(const Answer& answer) {
   try {
     if (answer.raised()) std::rethrow_exception(answer.raised());

@@ -16,9 +16,10 @@ namespace py = pybind11;
 
 namespace {
 
-// Python handles a signal only if somebody asks, and an answer is wanted within 0.2 s.
+// Python handles signals only when asked. It is asked so often that a signal is answered within 0.2 s.
 constexpr std::chrono::milliseconds kBetweenQuestions{20};
-// Most steps of a search are shorter, so that the shape is there when the call ends.
+// Time for which an interrupted call waits. Most steps of a search are shorter, so that the shape is there
+// when the call ends.
 constexpr std::chrono::milliseconds kPatience{80};
 
 /// Counts threads whose work was left.
@@ -38,7 +39,7 @@ LeftWork& left_work() {
   return all;
 }
 
-/// Discards an exception that a component in Python raised in this thread and nobody has fetched.
+/// Discards an exception that a component in Python raised in this thread and that no caller has fetched.
 void forget_error() {
   std::exception_ptr error = take_error();
   if (!error) return;
@@ -46,7 +47,7 @@ void forget_error() {
   error = nullptr;
 }
 
-/// A thread that works once.
+/// A thread that does one piece of work.
 class Worker : public std::enable_shared_from_this<Worker> {
  public:
   explicit Worker(const std::function<void(std::atomic<bool>&)>& work)
@@ -67,8 +68,8 @@ class Worker : public std::enable_shared_from_this<Worker> {
     std::unique_lock lock(mutex_);
     done_.wait(lock, [this] { return is_done_; });
   }
-  /// Leaves the work to its thread, which then owns this object. Returns whether it still goes on. Work that
-  /// reads scenes by the lock of the thread that waits for it cannot be left.
+  /// Leaves the work to its thread, which then owns this object. Returns whether the work still goes on. Work
+  /// that uses the reading lock of the thread that waits for it cannot be left.
   bool leave() {
     const std::lock_guard lock(mutex_);
     if (is_done_ || may_read_) return false;
@@ -107,7 +108,7 @@ class Worker : public std::enable_shared_from_this<Worker> {
   }
 
   std::function<void(std::atomic<bool>&)> work_;
-  bool may_read_;  // by the lock of the thread that waits
+  bool may_read_;  // whether the work may read scenes with the lock of the waiting thread
   std::atomic<bool> interrupt_ = false;
   std::mutex mutex_;
   std::condition_variable done_;

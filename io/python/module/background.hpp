@@ -15,20 +15,20 @@ namespace netloft::python {
 /// Rethrows exceptions of `work`. Returns the exception of the handler; nullptr if there was none.
 std::exception_ptr call_in_background(const std::function<void(std::atomic<bool>& interrupt)>& work);
 
-/// How work ended that may outlast the call.
+/// The end of a call whose work may still go on.
 struct EndOfWork {
   std::exception_ptr raised;     // the exception of a signal handler; nullptr if there was none
   std::function<void()> finish;  // waits for work that still goes on; empty: it has ended
 };
 
-/// The same, but after a signal it waits for a moment only, and leaves work that goes on to its thread. So
-/// `work` has to own all that it uses. Exceptions of work that was interrupted are dropped.
+/// Like call_in_background(), but after a signal it waits only for a moment, and leaves unfinished work to
+/// its thread. Therefore `work` has to own all that it uses. Exceptions of interrupted work are dropped.
 EndOfWork call_or_leave(const std::function<void(std::atomic<bool>& interrupt)>& work);
 
-/// Waits for all work that was left. To be called before the interpreter ends.
+/// Waits for all work that was left to its thread. It must be called before the interpreter ends.
 void finish_left_work();
 
-/// The same for work with a result, but throws the exception of the handler.
+/// Like call_in_background(), for work with a result; throws the exception of the handler.
 template <class Result>
 Result in_background(const std::function<Result(const std::atomic<bool>&)>& work) {
   std::optional<Result> result;

@@ -12,7 +12,7 @@
 
 namespace netloft::python {
 
-/// A value of a scene file as dict, list, str, int, float or bool.
+/// Converts a value of a scene file to dict, list, str, int, float or bool.
 pybind11::object value_object(const formats::Value& value);
 
 /// Each message as a dict: severity, where, line, column, message, hint.

@@ -12,15 +12,16 @@
 
 namespace netloft::python {
 
-/// The plugins of this process. They include solvers that are written in Python.
+/// The plugins of this process, including solvers that are written in Python.
 Registry& registry();
 
-/// A lock that is held while scenes are read, because only one thread at a time may use the registry and the
-/// data that changed scenes share. A thread that has the lock of the interpreter releases it while it waits,
-/// because the reading thread may need it.
+/// A lock that a thread holds while it reads scenes, because only one thread at a time may use the registry
+/// and the data that changed scenes share. A thread that has the lock of the interpreter releases the
+/// interpreter while it waits for this lock, because the reading thread may need the interpreter.
 ///
-/// A thread that holds the lock may lock it again, and so may a thread for which it waits (LentReading). This
-/// is necessary because a search holds the lock while it calls a solver in Python, which may open scenes.
+/// A thread that holds the lock may lock it again, and so may a thread for whose end it waits (LentReading).
+/// This is necessary because a search holds the lock while it calls a solver in Python, which may open
+/// scenes.
 class ReadingLock {
  public:
   ReadingLock();
@@ -35,8 +36,8 @@ class ReadingLock {
   bool is_first_;
 };
 
-/// While this object exists, this thread may use the lock if the thread that started it holds the lock and
-/// waits for it.
+/// While this object exists, its thread may use the lock of the thread that started it, if that thread holds
+/// the lock and waits.
 class LentReading {
  public:
   explicit LentReading(bool is_held_there);
@@ -71,8 +72,8 @@ class OpenedScene {
   std::vector<std::string> command() const;
   /// The tables of the scene with its changes. Throws WrongScene.
   formats::Value tables() const;
-  /// Facts that readers know of the numbers of the scene, by their paths: a new reading, which takes as long
-  /// as the first. Throws WrongScene.
+  /// Facts about the numbers of the scene, by their paths, which are recorded while the scene is read. The
+  /// scene is read again, which takes as long as the first time. Throws WrongScene.
   std::map<std::string, formats::NumberWords> words() const;
   /// All messages about the scene: errors and warnings.
   formats::Diagnostics check() const;

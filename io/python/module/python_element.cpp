@@ -53,7 +53,7 @@ int create_elements(netloft_create* in, void** self) {
 
 void destroy_elements(void* self) { delete static_cast<PythonElements*>(self); }
 
-/// The columns first … first + count of some rows.
+/// The columns from `first` to `first` + `count` of some rows, the last one excluded.
 Array columns(const Rows& rows, std::uint32_t first, std::uint32_t count) {
   Array all({static_cast<py::ssize_t>(rows.size()), static_cast<py::ssize_t>(count)});
   for (std::size_t r = 0; r < rows.size(); ++r)

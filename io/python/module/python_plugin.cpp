@@ -75,8 +75,8 @@ std::vector<RealParameter> without_sentences(std::vector<RealParameter> paramete
   return parameters;
 }
 
-/// The new callable must have the same description, because plugins are never unloaded and scenes have been
-/// checked against this description.
+/// Checks that a new callable has the same description as the old one, because plugins are never unloaded and
+/// scenes have been checked against this description.
 void require_same(const PythonPlugin& old, const PythonPlugin& like) {
   const auto refuse = [&](const std::string& what) {
     throw PluginRefused("\"" + old.name + "\" is " + what +
@@ -116,7 +116,7 @@ void add_python_plugin(const std::string& name, const std::string& doc, py::func
   describe_plugin(plugin);
   try {
     describe(plugin);
-    read_plugin(&plugin.plugin, "", name);  // refuses a wrong description before the name is registered
+    read_plugin(&plugin.plugin, "", name);  // rejects a wrong description before the name is registered
   } catch (...) {
     python_plugins().pop_back();
     throw;

@@ -23,12 +23,12 @@ struct RealParameter {
 };
 
 /// A plugin with one solver, strategy or element that is a callable of Python. It lives as long as the
-/// process, as plugins do. The first parameter of its component is the number of the plugin, by which the
-/// functions of the plugin interface, which all these plugins share, find the callable. Further parameters
-/// are real numbers.
+/// process, as plugins do. The first parameter of its component is the number of the plugin. All these
+/// plugins share the functions of the plugin interface, which find the callable by this number. Further
+/// parameters are real numbers.
 struct PythonPlugin {
   std::string name, doc;
-  std::deque<pybind11::function> calls;  // the callable at the end, after the ones that it has replaced
+  std::deque<pybind11::function> calls;  // the last callable is in use; earlier ones were replaced
   std::vector<RealParameter> parameters;
   std::vector<std::string> data;  // names of the data of an element
 
@@ -52,8 +52,8 @@ void add_python_plugin(const std::string& name, const std::string& doc, pybind11
                        std::vector<RealParameter> parameters,
                        const std::function<void(PythonPlugin&)>& describe);
 
-/// keep_error() stores an exception that a component in Python raised in this thread, which runs its search;
-/// take_error() returns and removes it. nullptr means none.
+/// keep_error() stores an exception that a component in Python raised in this thread, which runs the search
+/// that called the component; take_error() returns the exception and removes it. nullptr means none.
 void keep_error(std::exception_ptr error);
 std::exception_ptr take_error();
 

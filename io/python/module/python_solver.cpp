@@ -19,7 +19,7 @@ namespace {
 
 using Vector = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// r(u) = 0 as a solver in Python sees it. It is valid during the call of the solver only.
+/// The problem r(u) = 0 as a solver in Python sees it. It is valid only during the call of the solver.
 class PythonProblem {
  public:
   explicit PythonProblem(netloft_problem& problem) : problem_(problem) {}

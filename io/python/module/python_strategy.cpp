@@ -19,8 +19,8 @@ namespace {
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// A scene and its easier variants as a strategy in Python sees them. It is valid during the call of the
-/// strategy only.
+/// A scene and its easier variants as a strategy in Python sees them. They are valid only during the call of
+/// the strategy.
 class PythonSearch {
  public:
   explicit PythonSearch(netloft_search& search) : search_(search) {}
@@ -63,7 +63,8 @@ py::dict stage_dict(const Stage& stage) {
   return all;
 }
 
-/// Solves a variant of the scene from `u` by a solver ("newton:method=classic"; empty: that of the analysis).
+/// Solves a variant of the scene from `u` by a solver ("newton:method=classic"; empty: the solver of the
+/// scene).
 py::dict solve_stage(PythonSearch& search, const Numbers& u, const std::string& name,
                      const std::string& solver, unsigned level, double stiffness_cap, double compression,
                      double current, double tolerance, double work, unsigned iterations) {

@@ -6,8 +6,8 @@
 
 namespace netloft::python {
 
-/// Makes a callable of Python a strategy with the name `name`. It is called with a Search, and reports
-/// equilibria by Search.answer(). Throws PluginRefused if there is already a plugin of this name.
+/// Makes a callable of Python a strategy named `name`. The callable gets a Search, and reports equilibria by
+/// Search.answer(). Throws PluginRefused if there is already a plugin of this name.
 void add_strategy(const std::string& name, const std::string& doc, pybind11::function run);
 
 }  // namespace netloft::python

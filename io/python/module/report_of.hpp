@@ -10,7 +10,7 @@
 
 namespace netloft::python {
 
-/// Adds the properties that all results have to a class of the module. `result_of` is a function from an
+/// Adds to a class of the module the properties that all results have. `result_of` is a function from an
 /// object of the class to its results::Result.
 template <class Class, class ResultOf>
 void add_report(Class& of, ResultOf result_of) {

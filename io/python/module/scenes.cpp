@@ -58,11 +58,12 @@ class Watched {
  public:
   explicit Watched(const py::object& progress)
       : progress_(new py::object(progress), [](const py::object* last) {
-          const py::gil_scoped_acquire interpreter;  // work that was left ends in a thread of its own
+          const py::gil_scoped_acquire
+              interpreter;  // work that goes on after the call ends in its own thread
           delete last;
         }) {}
 
-  /// Calls the callable. For use by the thread that does the work.
+  /// Calls the callable from the thread that does the work.
   template <class... Numbers>
   void report(Numbers... numbers) {
     if (progress_->is_none()) return;
@@ -78,7 +79,7 @@ class Watched {
   py::object run(const std::function<void(const std::atomic<bool>&)>& work) {
     return exception(call_in_background(watched(work)));
   }
-  /// The same for work that may be left after a signal, and owns this object; see call_or_leave().
+  /// Like run(), for work that may go on after a signal, and then owns this object; see call_or_leave().
   py::object run_or_leave(const std::function<void(const std::atomic<bool>&)>& work,
                           std::function<void()>& finish) {
     EndOfWork end = call_or_leave(watched(work));
@@ -125,8 +126,8 @@ struct WatchedSearch {
 
 /// Solves a scene on its own mesh, or on the mesh of the answer `mesh_of`. `progress` is called after each
 /// iteration with its number, the largest residual and the largest load [N]. Returns the answer, the
-/// exception that ended the search, and a function that waits for the answer of a search that still goes on
-/// after a signal; None: it has ended.
+/// exception that ended the search, and a function. If the search still goes on after a signal, the function
+/// waits for its answer; otherwise it is None.
 py::tuple solve(const OpenedScene& scene, const std::vector<double>& start, const AnswerPointer& mesh_of,
                 bool with_mesh_errors, const py::object& progress) {
   const auto search = std::make_shared<WatchedSearch>(WatchedSearch{

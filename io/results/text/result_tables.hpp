@@ -7,10 +7,11 @@ namespace netloft::results {
 
 /// All tables of a report in their order, except the bill of materials, for text and HTML alike. Besides the
 /// tables of a gear (gear_text.hpp), these are the following, unless they are empty:
-///   a table of the least and the largest value of every number over the equilibria that were found;
-///   a table of the numbers of the scene on which the key figures depend most;
-///   a table of the changes of the numbers in a growing motion, per metre of the largest displacement of a
-///   node; a table of the forces of holds, and one of the forces on parts if no table of a gear has them.
+///   the least and the largest value of every number over the equilibria that were found;
+///   the numbers of the scene on which the key figures depend most;
+///   the changes of the numbers in a growing motion, per metre of the largest displacement of a node;
+///   the forces of holds;
+///   the forces on parts, if no table of a gear has them.
 std::vector<FigureTable> report_tables(const Result& result);
 
 }  // namespace netloft::results

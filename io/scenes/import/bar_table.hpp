@@ -35,7 +35,7 @@ struct TableRope {
   std::vector<Bar> bars;
 };
 
-/// A number that a run of the scene reports: a quantity (`take`) of nodes or of a part (`of`).
+/// A number that a run of the scene reports: the quantity `take` of the nodes or part `of`.
 struct TableResult {
   std::string name, of, take;
 };
@@ -49,12 +49,12 @@ struct BarTable {
   double density = 1025, gravity = kStandardGravity, depth = 0;
 };
 
-/// Reads a table (TABLE.md). Errors are reported at their line and column; `file` is the number of the text
+/// Reads a table (TABLE.md). Errors are reported at their line and column; `file` is the index of `text`
 /// among the sources of `diagnostics`. After an error the result contains whatever could be read.
 BarTable read_bar_table(const std::string& text, int file, formats::Diagnostics& diagnostics);
 
-/// A scene that is made from a table, and the mesh of its parts. `head`: lines of the comment at the
-/// beginning of the scene.
+/// A scene that is made from a table, and the mesh of its parts. `head` contains the lines of the comment at
+/// the beginning of the scene.
 struct BarTableScene {
   std::string scene;
   formats::InputMesh mesh;

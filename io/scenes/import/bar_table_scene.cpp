@@ -62,8 +62,8 @@ class TableScene {
                               .text());
   }
 
-  /// Makes a set of nodes for each value of the property `what`, in the order of the table. Nodes with the
-  /// value zero or empty are left out.
+  /// Makes a set of nodes for each value of the property `what`, in the order of the table. Nodes whose value
+  /// is zero or empty are left out.
   template <class Key, class What>
   std::vector<std::pair<Key, std::string>> sets_of(const char* name, What&& what) {
     std::vector<std::pair<Key, std::string>> sets;
@@ -97,9 +97,9 @@ class TableScene {
     double stiffness() const { return least == most ? most : product / metres; }
   };
 
-  /// Writes the parts that model the bed, one for each stiffness. Such a part is on all ropes whose bed has
-  /// this stiffness. If ropes with different beds meet at some node, the parts are on sets of nodes instead,
-  /// so that this node does not rest on two beds.
+  /// Writes the parts that model the bed, one for each stiffness. Each part is on all ropes whose bed has its
+  /// stiffness. If ropes with different beds meet at a node, the parts are on sets of nodes instead, so that
+  /// this node does not rest on two beds.
   void write_beds() {
     std::vector<BedUnder> under(table_.nodes.size());
     std::map<double, std::vector<std::string>> on;

@@ -8,14 +8,14 @@
 
 namespace netloft::scenes {
 
-/// A cell of a table of comma-separated values, without quotes and blanks around it.
+/// A cell of a table of comma-separated values, without its surrounding quotes and blanks.
 struct CsvCell {
   std::string text;
   formats::Place place;
 };
 
-/// Splits a text into rows and cells (RFC 4180): cells that contain a separator, a quote or a line end are in
-/// quotes, and quotes within them are doubled. Lines end with LF, CR LF or CR.
+/// Splits a text into rows and cells (RFC 4180). Cells that contain a separator, a quote or a line end are in
+/// quotes, and a quote within such a cell is doubled. Lines end with LF, CR LF or CR.
 class CsvRows {
  public:
   /// `text` must outlive this object. The separator of cells is whichever of comma, semicolon and tab comes

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Divides a gear of FEMNET that has no mesh into elements. The nodes of a panel are the knots of a coarser
-// net, whose mesh side is the meshing step. The nodes agree with those of FEMNET; the triangles may differ
-// where both diagonals of a square between nodes are equally good.
+// net, whose mesh side is the meshing step. The nodes agree with those of FEMNET. Triangles may differ where
+// both diagonals of a square of nodes are equally good.
 //   u = U + V,  v = V − U                 a panel in mesh sides along its twines                      (1)
 //   parts of a side = max(|Δu|, |Δv|) l₀/step, rounded, at least one                                  (2)
 //   inner nodes at u, v = whole multiples of step/l₀                                                   (3)
@@ -46,8 +46,8 @@ double along(const Triple& a, const Triple& b, const Triple& c, const Triple& d)
   return sum;
 }
 
-/// A line between two points of the gear. It is divided once, for all panels and cables that are sewn
-/// together there.
+/// A line between two points of the gear. It is divided only once, for all panels and cables that are sewn
+/// together along it.
 struct Line {
   std::vector<std::uint32_t> nodes;  // nodes in order from one end to the other
   Triple from{}, to{};               // positions of its ends in the drawing
@@ -78,8 +78,8 @@ class PanelPlane {
     return !(u * v < 2 * most_nodes && std::max(u, v) < kMostParts);
   }
 
-  /// The inner nodes, equation (3) at the top of this file. `low` and `high` store u and v in members named U
-  /// and V.
+  /// The inner nodes, equation (3) at the top of this file. `low` and `high` are limits of u and v, which are
+  /// stored in members named U and V.
   std::vector<Meshes> inside(const std::vector<gears::PlanePoint>& border) const {
     const auto [low, high] = extent();
     const gears::BorderSides sides(border, kNearest * panel_.step);
@@ -95,8 +95,8 @@ class PanelPlane {
  private:
   static constexpr double kOpen = std::numbers::sqrt3;
 
-  /// The least coordinates u, v of the corners (first) and the greatest (second), stored in members named U
-  /// and V.
+  /// The least coordinates u, v of the corners (first), and the greatest ones (second). They are stored in
+  /// members named U and V.
   std::pair<Meshes, Meshes> extent() const {
     Meshes low{1e300, 1e300}, high{-1e300, -1e300};
     for (const auto& c : panel_.corners) {
@@ -114,8 +114,8 @@ double twice_area(const Meshes& a, const Meshes& b, const Meshes& c) {
   return (b.U - a.U) * (c.V - a.V) - (b.V - a.V) * (c.U - a.U);
 }
 
-/// The initial shape of a panel, as it is drawn: the corners are triangulated, and positions of inner nodes
-/// are interpolated in these triangles.
+/// The initial shape of a panel in the drawing: its corners are connected to triangles, in which positions of
+/// inner nodes are interpolated.
 class DrawnPanel {
  public:
   /// `corners` must be counter-clockwise.
@@ -173,8 +173,8 @@ class Divider {
     diagnostics_.error(place, message, hint);
   }
 
-  /// All panels and cables in the order in which they are divided: first those that the meshing order of the
-  /// file lists, then the others.
+  /// All panels and cables in the order in which they are divided: first those in the meshing order of the
+  /// file, then the others.
   std::vector<LinkPoint> order() const {
     std::vector<LinkPoint> all;
     std::vector<bool> has_panel(gear_.panels.size()), has_cable(gear_.cables.size());
@@ -205,8 +205,8 @@ class Divider {
     return static_cast<std::uint32_t>(mesh_.nodes.size() - 1);
   }
 
-  /// The node at a corner of a panel or at an end of a cable. Its type is given by the panel or cable that is
-  /// divided first.
+  /// The node at a corner of a panel or at an end of a cable. It gets the type `type` of the panel or cable
+  /// that is divided first.
   std::uint32_t node_of(const LinkPoint& point, const Triple& at, int type, const formats::Place& place) {
     const auto [known, is_new] = node_of_point_.try_emplace(links_.point(point), 0);
     if (is_new) known->second = add_node(at, type, place);
@@ -221,8 +221,8 @@ class Divider {
     return known->second;
   }
 
-  /// The nodes of the line from `a` to `b`, both ends included. Divides the line if no panel or cable has
-  /// done so yet.
+  /// The nodes of the line from `a` to `b`, both ends included. The line is divided if it has not been
+  /// divided for another panel or cable.
   std::vector<std::uint32_t> line(std::uint32_t a, std::uint32_t b, const Triple& from, const Triple& to,
                                   double parts, int type, const formats::Place& place) {
     const auto [known, is_new] = lines_.try_emplace(std::minmax({a, b}));

@@ -68,7 +68,7 @@ bool DonScanner::begins_a_number() const {
   return is_digit(here(sign + point));
 }
 
-/// Reads the characters of a number; `whole`: only a sign and digits. Returns nullopt if no number begins
+/// Reads the characters of a number; if `whole`, only a sign and digits. Returns nullopt if no number begins
 /// here.
 std::optional<std::string> DonScanner::take_number(bool whole) {
   if (!begins_a_number() || (whole && !is_digit(here(here() == '+' || here() == '-' ? 1 : 0)))) return {};

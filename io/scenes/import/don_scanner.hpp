@@ -19,22 +19,22 @@ class DonScanner {
   bool has_failed() const { return has_failed_; }
   /// Moves to the position after the next colon. `what` names the expected value in errors.
   bool skip_colon(const char* what);
-  /// The number after the next colon. If there is none, the result is 0, with a warning.
+  /// The number after the next colon. If none follows, returns 0 with a warning.
   double real(const char* what);
   int integer(const char* what);
-  /// The number of values that follow in the text; it is required, and at least 0.
+  /// The number after the next colon, which says how many values follow. It is required, and at least 0.
   int count(const char* what);
   /// A required number at this place, in a row or as argument of a keyword.
   double next_real(const char* what);
   int next_integer(const char* what);
-  /// The number at this place, if there is one. If not, skips blanks only.
+  /// The number at this place. If there is none, returns nullopt, and skips blanks only.
   std::optional<double> try_real(bool whole = false);
   /// The text between two # signs after the next colon.
   std::string text_in_hashes(const char* what);
-  /// Moves to the end of the line in which the next word is.
+  /// Moves to the end of the line that contains the next word.
   void skip_worded_line();
-  /// Returns the last word before the next colon, and moves to the position after this colon. Does not move
-  /// if another kind of word follows.
+  /// Returns the last word before the next colon, and moves to the position after this colon. If something
+  /// else than words follows, returns nullopt and does not move.
   std::optional<std::string> word_before_colon();
   /// If the next word begins with this letter, moves to the position after the word. Returns whether it
   /// moved.
@@ -42,7 +42,7 @@ class DonScanner {
 
   /// The next word of the tail; an empty text at the end of the file.
   std::string_view word();
-  /// Whether exactly one blank or end of line follows, and then a word.
+  /// Whether exactly one blank or end of line follows before the next word.
   bool has_one_separator() const;
 
   /// A position in the text, to which go_back() returns.

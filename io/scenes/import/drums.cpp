@@ -10,8 +10,8 @@ namespace netloft::scenes::femnet {
 
 namespace {
 
-/// Thins out a sampled curve: a sample is dropped if the straight line between the samples kept before and
-/// after it stays within kHauledWithin of all samples in between.
+/// Thins out a sampled curve. Samples are dropped as long as the straight line between the kept samples
+/// before and after them is within kHauledWithin of all dropped ones.
 class Curve {
  public:
   explicit Curve(double first) : time_(0), value_(first), times_{0}, values_{first} {}
@@ -52,8 +52,8 @@ class Curve {
   std::vector<double> times_, values_;
 };
 
-/// A cable that drums haul: its bars in the order of the file, with the present length and the length over
-/// time of each bar.
+/// A cable that drums haul: its bars in the order of the file, the present length of each bar, and its length
+/// over time.
 struct Hauled {
   std::vector<std::size_t> bars;
   std::vector<double> lengths;
@@ -73,8 +73,8 @@ Hauled cable_of(const GearFile& gear, const MeshFile& file, int cable) {
   return out;
 }
 
-/// The interval of a drum's times that contains `time`, by its index; nullopt if `time` is before or after
-/// all times.
+/// The index of the interval of a drum's times that contains `time`; nullopt if `time` is before the first or
+/// after the last of them.
 std::optional<std::size_t> interval_at(const Drum& drum, double time) {
   for (std::size_t i = 0; i + 1 < drum.times.size(); ++i)
     if (time >= drum.times[i] && time <= drum.times[i + 1] && drum.times[i + 1] > drum.times[i]) return i;

@@ -6,8 +6,8 @@
 
 namespace netloft::scenes::femnet {
 
-/// A bar that a drum shortens or lengthens. `shares`: its unstretched length at `times`, as a fraction of the
-/// initial length; linear in between.
+/// A bar that a drum shortens or lengthens. `shares` are its unstretched lengths at `times`, as fractions of
+/// the initial length; the length is linear between these times.
 struct HauledBar {
   std::size_t bar = 0;     // index in the mesh file
   std::size_t number = 0;  // position of the bar along the cable, from 0
@@ -24,8 +24,8 @@ struct HauledBar {
 std::optional<std::vector<HauledBar>> haul(const GearFile& gear, const MeshFile& file);
 
 inline constexpr double kMostHauls = 2e7;  // limit of time steps times bars; this many take about a second
-/// Tolerance of the lengths [m]: a tenth of the length that a drum hauls at 0.2 m/s in one time step of
-/// FEMNET.
+/// Tolerance of the lengths [m]: at a hauling speed of 0.2 m/s, a tenth of the length that a drum hauls in
+/// one time step of FEMNET.
 inline constexpr double kHauledWithin = 1e-4;
 
 }  // namespace netloft::scenes::femnet

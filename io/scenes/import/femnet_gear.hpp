@@ -10,7 +10,7 @@
 
 namespace netloft::scenes::femnet {
 
-/// Gravity in FEMNET [m/s²], inferred from its results for files of this kind.
+/// Gravity in FEMNET [m/s²], inferred from its results for .don files.
 inline constexpr double kGravity = 9.81;
 
 using Triple = std::array<double, 3>;
@@ -32,8 +32,8 @@ struct Panel {
   int inner_type = 0, mesh_type = 0;
   // The next members are set by keywords in the tail of the file.
   double knot_size = 0, EI = 0, neutral_angle = 0;
-  // Keyword netting2ropes: the panel is modelled by bars instead of triangles. Along the netting, `bars` bars
-  // replace `twines` mesh sides; each bar also stands for `twines` parallel twines. 0: triangles.
+  // With the keyword netting2ropes, the panel is modelled by bars instead of triangles. Along a twine, `bars`
+  // bars replace `twines` mesh sides; each bar also stands for `twines` parallel twines. 0: triangles.
   double twines = 0, bars = 0;
 };
 
@@ -58,7 +58,7 @@ struct NodeType {
   Triple mass{}, added_mass{}, box{}, drag{}, force{}, fixed{}, limit{}, sense{}, symmetry{};
 };
 
-/// A point that a link connects to others: a corner of a panel, or an end of a cable. Objects and corners are
+/// A corner of a panel or an end of a cable, which a link connects to others. Panels, cables and corners are
 /// counted from 0.
 struct LinkPoint {
   bool is_panel = false;
@@ -90,7 +90,7 @@ struct Drum {
   std::vector<int> ends;              // end of the cable (1 or 2) that has the drum from each time on
 };
 
-/// The motion of the nodes of a type. Velocities are linear between the times, and zero after the last time.
+/// The motion of all nodes of a type. Velocities are linear between the times, and zero after the last time.
 struct NodeMotion {
   formats::Place place;
   int type = 0;  // number of the type, from 0
@@ -120,7 +120,7 @@ struct Environment {
   formats::Place waves;  // place of the waves in the file
 };
 
-/// A feature of the file that the import changes or leaves out.
+/// A feature of the gear file that the import changes or leaves out.
 struct Finding {
   enum class Kind { note, left_out };  // left_out: results differ from those of FEMNET
   formats::Place place;
@@ -135,7 +135,7 @@ struct GearFile {
   std::vector<Cable> cables;
   std::vector<NodeType> types;
   std::vector<std::vector<LinkPoint>> links;
-  std::vector<LinkPoint> order;  // order in which parts are meshed; `corner` is not used
+  std::vector<LinkPoint> order;  // order in which panels and cables are meshed; `corner` is not used
   std::vector<Clamp> clamps;
   std::vector<Wanted> wanted;
   std::vector<Drum> drums;
@@ -158,7 +158,7 @@ struct MeshFile {
   struct Bar {
     std::array<std::uint32_t, 2> nodes{};
     std::array<double, 2> shares{};
-    int cable = 0;  // numbers of the file, from 1: k > 0 is cable k, -p the twines of panel p
+    int cable = 0;  // as in the file, from 1: k > 0 is cable k, -p the twines of panel p
   };
   struct Triangle {
     std::array<std::uint32_t, 3> nodes{};
@@ -175,7 +175,7 @@ struct MeshFile {
 std::vector<std::string> features_of(const GearFile& gear);
 
 /// Reads a .don. Lines end with LF, CR LF or CR. Errors and warnings are reported at their line and column;
-/// `file` is the number of the text among the sources of `diagnostics`. After an error the result contains
+/// `file` is the index of `text` among the sources of `diagnostics`. After an error the result contains
 /// whatever could be read.
 GearFile read_gear(const std::string& text, int file, formats::Diagnostics& diagnostics);
 
@@ -183,10 +183,10 @@ GearFile read_gear(const std::string& text, int file, formats::Diagnostics& diag
 MeshFile read_mesh_file(const std::string& text, int file, const GearFile& gear,
                         formats::Diagnostics& diagnostics);
 
-/// Divides a gear without a mesh: panels into triangles on a lattice of their meshing step, as in FEMNET, and
-/// cables into bars; linked corners and ends become one node. Panels with netting2ropes, for which FEMNET
-/// uses bars, are divided into triangles, too. Errors are reported at the panel, cable or link. More than
-/// `most_nodes` nodes are an error.
+/// Divides a gear without a mesh: panels into triangles on a lattice whose spacing is their meshing step, as
+/// in FEMNET, and cables into bars; linked corners and ends become one node. Panels with netting2ropes, which
+/// FEMNET divides into bars, are divided into triangles, too. Errors are reported at the panel, cable or
+/// link. A gear with more than `most_nodes` nodes is an error.
 MeshFile divide_gear(const GearFile& gear, formats::Diagnostics& diagnostics, double most_nodes = 1e6);
 
 }  // namespace netloft::scenes::femnet

@@ -4,8 +4,8 @@
 
 namespace netloft::scenes::femnet {
 
-/// Groups corners of panels and ends of cables that are the same point of the gear: because a link names them
-/// together, or because they are closer in the drawing than the link distance.
+/// Groups corners of panels and ends of cables that are the same point of the gear, because a link joins
+/// them, or because their distance in the drawing is less than the link distance.
 class GearLinks {
  public:
   /// A link to a corner or end that does not exist is an error at the place of the link.

@@ -36,7 +36,8 @@ std::optional<std::string> read_text(const fs::path& path, formats::Diagnostics&
   return in ? std::optional(std::move(text).str()) : std::nullopt;
 }
 
-/// The path of the mesh of a gear: the requested path, or that of the gear with the ending .mdg or .MDG.
+/// The path of the mesh of a gear: the requested path, or the path of the gear with the extension .mdg or
+/// .MDG.
 fs::path mesh_of(const ImportRequest& request) {
   if (!request.mesh.empty()) return request.mesh;
   fs::path beside = request.gear;
@@ -60,9 +61,9 @@ struct FoundMesh {
   std::string name;  // name of the file; empty if the import divided the gear
 };
 
-/// Divides the gear into elements, although it may have a mesh. Requested outputs that name nodes are
-/// dropped, because their numbers are those of FEMNET's mesh. Panels with netting2ropes get triangles,
-/// because only FEMNET places their bars.
+/// Divides the gear into elements, although it may have a mesh. Requested outputs at nodes are dropped,
+/// because they name nodes by their numbers in FEMNET's mesh. Panels with netting2ropes get triangles,
+/// because only FEMNET knows the places of their bars.
 FoundMesh divide(femnet::GearFile& gear, const std::string& why, formats::Diagnostics& diagnostics) {
   using femnet::Finding, femnet::Wanted;
   gear.findings.push_back(
@@ -84,8 +85,8 @@ FoundMesh divide(femnet::GearFile& gear, const std::string& why, formats::Diagno
   return {femnet::divide_gear(gear, diagnostics), {}};
 }
 
-/// Reads the mesh of the gear, or divides the gear. If the user did not name a mesh but there is one beside
-/// the gear, it is used only if all its parts are parts of the gear; otherwise it is outdated.
+/// Reads the mesh of the gear, or divides the gear. A mesh that the user did not name but that is beside the
+/// gear is used only if all its parts are parts of the gear; otherwise it is outdated.
 FoundMesh find_mesh(const ImportRequest& request, femnet::GearFile& gear, formats::Diagnostics& diagnostics) {
   const fs::path path = mesh_of(request);
   const bool is_named = !request.mesh.empty();

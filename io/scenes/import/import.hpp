@@ -26,8 +26,8 @@ struct ImportRequest {
   bool moves = false;          // whether the scene is a motion, with waves and drums (FEMNET only)
 };
 
-/// Reads a gear of FEMNET with its mesh. Errors, warnings and left-out features are added to `diagnostics`
-/// with their places; after an error the texts are empty.
+/// Reads a gear of FEMNET with its mesh. Errors, warnings and left-out features are added to `diagnostics`,
+/// each with its place; after an error, the texts of the result are empty.
 ImportedGear import_femnet(const ImportRequest& request, formats::Diagnostics& diagnostics);
 
 /// Reads a table of nodes and bars (TABLE.md). Errors are handled as in import_femnet().

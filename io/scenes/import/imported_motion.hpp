@@ -6,7 +6,7 @@
 
 namespace netloft::scenes::femnet {
 
-/// The reason why linear waves cannot represent the waves of a file; an empty text if they can.
+/// The reason why linear waves cannot represent the waves of a file; empty if they can.
 std::string fault_of_waves(const Environment& e);
 
 /// The key `waves` of [water]: Airy waves, as in FEMNET's first wave model.

@@ -244,9 +244,9 @@ class KeywordReader {
   }
 
   /// Adds n spheres (floats) of diameter D and net buoyancy F to a cable of length L, as if they were part of
-  /// it. d is the diameter of the cable, ρ its density, C its drag coefficient; a prime marks the new values.
-  /// V is the volume of a sphere, m its mass, V_c the volume of the cable, g gravity, ρ_w the density of
-  /// water:
+  /// the cable. d is the diameter of the cable, ρ its density, C its drag coefficient; a prime marks the new
+  /// values. V is the volume of a sphere, m its mass, V_c the volume of the cable, g gravity, ρ_w the density
+  /// of water:
   ///   V = π D³/6,  m = V ρ_w − F/g,  V_c = L π d²/4
   ///   ρ′ = (V_c ρ + n m)/(V_c + n V),  d′ = √(4 (V_c + n V)/(π L)),  C′ = (0.6 n π D²/4 + C L d)/(L d′)
   void smear_floats(Cable& c, double length) {
@@ -313,7 +313,7 @@ class KeywordReader {
   }
 
   /// Sets the force on nodes of a type to that of a foil of area S in the current c: q c_d along the current,
-  /// q c_l across and q c_z upward, with q = ρ S c²/2 and the density ρ of the water.
+  /// q c_l across it and q c_z upward, where q = ρ S c²/2 and ρ is the density of water.
   void foil() {
     NodeType* type = one_of(gear_.types, "type");
     const double S = number(), cd = number(), cl = number(), cz = number();

@@ -51,7 +51,8 @@ void add_twines(std::size_t panel, const GearFile& gear, const MeshFile& file, f
   mesh.regions.push_back(std::move(region));
 }
 
-/// Adds a set for each plane of symmetry, with the nodes in this plane of cables that have bending stiffness.
+/// Adds a set for each plane of symmetry: the nodes in this plane that belong to cables with bending
+/// stiffness.
 void add_planes(const GearFile& gear, const MeshFile& file, formats::InputMesh& mesh) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     formats::MeshSet plane{plane_name(axis)};

@@ -4,7 +4,7 @@
 
 namespace netloft::scenes {
 
-/// A mooring of MoorDyn as nodes and bars, and the features that the import changes or leaves out.
+/// A mooring of MoorDyn as nodes and bars, with the features that the import changes or leaves out.
 struct MooringFile {
   struct Finding {
     formats::Place place;
@@ -17,7 +17,7 @@ struct MooringFile {
 
 /// Reads an input file of MoorDyn, version 1 or 2 (https://moordyn.readthedocs.io, "Input Files";
 /// BSD-3-Clause): points, and lines with one bar per segment. Errors are reported at their line and column;
-/// `file` is the number of the text among the sources of `diagnostics`. After an error the result contains
+/// `file` is the index of `text` among the sources of `diagnostics`. After an error the result contains
 /// whatever could be read.
 MooringFile read_moordyn(const std::string& text, int file, formats::Diagnostics& diagnostics);
 

@@ -22,10 +22,10 @@ enum class MoordynSection {
   other
 };
 
-/// The section that begins with `title`, which is in capitals.
+/// The section whose name is at the beginning of `title`, which is in capitals.
 MoordynSection section_named(const std::string& title);
 
-/// If a scene cannot represent an option, the effect of the option in MoorDyn; otherwise nullopt. `name` is
+/// The effect of an option in MoorDyn if a scene cannot represent this option; otherwise nullopt. `name` is
 /// in capitals.
 std::optional<std::string> meaning_of_option(const std::string& name);
 

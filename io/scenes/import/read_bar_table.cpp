@@ -251,8 +251,8 @@ class TableOfBars {
         {{static_cast<std::uint32_t>(*from), static_cast<std::uint32_t>(*to)}, length.value_or(drawn)});
   }
 
-  /// Returns the rope with the name of `rope`, or adds it. Properties that differ from those in the first row
-  /// of the rope are an error.
+  /// Returns the rope with the name of `rope`; adds it if there is none. Reports properties that differ from
+  /// those in the first row of this rope.
   TableRope& rope_of(const TableRope& rope) {
     const auto [known, is_new] = rope_named_.try_emplace(rope.name, table_.ropes.size());
     if (is_new) table_.ropes.push_back(rope);
@@ -279,8 +279,8 @@ class TableOfBars {
     return {};
   }
 
-  /// Checks that a bar ends at every node. Nodes without bars are a sign of a truncated file, and holds and
-  /// loads could not act there.
+  /// Checks that at least one bar ends at every node. Nodes without bars are a sign of a truncated file, and
+  /// holds and loads could not act on them.
   void check_ends() {
     std::vector<bool> is_used(table_.nodes.size());
     for (const auto& rope : table_.ropes)

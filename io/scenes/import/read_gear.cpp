@@ -152,8 +152,8 @@ class GearReader {
     gear_.links.push_back(std::move(link));
   }
 
-  /// Reads the meshing order. The number of entries in the file is not always correct. Therefore entries are
-  /// read as long as they look like entries.
+  /// Reads the meshing order. The number of entries that the file states is not always correct. Therefore
+  /// entries are read as long as they look like entries.
   void read_order() {
     in_.skip_colon("the meshing order");
     if (in_.try_word('a')) return;

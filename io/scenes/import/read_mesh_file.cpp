@@ -99,7 +99,7 @@ class MeshFileReader {
     return 0;
   }
 
-  /// Reports an error that only a mesh of another version of the gear can have.
+  /// Reports an error that shows that the mesh belongs to another version of the gear.
   void error_of_gear(const formats::Place& place, const std::string& message, const std::string& hint) {
     mesh_.is_of_another_gear = true;
     error(place, message, hint);

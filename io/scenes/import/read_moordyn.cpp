@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Reads an input file of MoorDyn. A line of dashes with a title begins each section. In all sections except
-// options and outputs, two lines with names and units of columns follow, which MoorDyn does not read.
+// options and outputs, the next two lines contain names and units of columns, which MoorDyn does not read.
 //   density of a line  ρ = m/(π d²/4)   m [kg/m] mass, d [m] diameter                             (1)
 //   tangential drag    C_t = π C_dAx    C_dAx refers to the surface π d, C_t to d                 (2)
 //   bed under a line   k = k_bot d      k_bot [Pa/m]; a segment of length s has stiffness k s     (3)
@@ -124,9 +124,9 @@ class MooringReader {
     }
   }
 
-  /// Reads a line with names of columns. The length of a mooring line comes before its ends in version 1 of
-  /// the format, and after them in version 2, so that the position of the column "UNSTR…" shows the version.
-  /// In version 1 a number of rows ("2 NTypes") may come before the names.
+  /// Reads a line with names of columns. In version 1 of the format, the length of a mooring line comes
+  /// before its ends; in version 2, after them. The position of the column "UNSTR…" therefore shows the
+  /// version. In version 1 a number of rows ("2 NTypes") may come before the names.
   void read_names(const Row& row) {
     if (names_ == 2 && formats::integer_in(row[0].text)) return;
     --names_;
@@ -275,7 +275,7 @@ class MooringReader {
     rope.density = type.mass / (std::numbers::pi * type.diameter * type.diameter / 4);  // (1)
     rope.normal = type.cd;
     rope.tangential = std::numbers::pi * type.cd_axial;  // (2)
-    rope.bed = type.diameter;  // (3) without the factor k_bot, which is among the options
+    rope.bed = type.diameter;                            // (3) without k_bot, which is one of the options
     if (std::any_of(out_.table.ropes.begin(), out_.table.ropes.end(),
                     [&](auto& r) { return r.name == name; }))
       return error(place, "there is a line with this number already");
@@ -289,8 +289,8 @@ class MooringReader {
     out_.table.ropes.push_back(std::move(rope));
   }
 
-  /// Adds a node of a mooring line. The initial shape of the line is a parabola of nearly its length, which
-  /// is d + 8 s²/(3 d) for the distance d [m] of the ends and the sag s [m].
+  /// Adds a node of a mooring line. The initial shape of the line is a parabola whose length is nearly that
+  /// of the line: d + 8 s²/(3 d), with the distance d [m] between the ends and the sag s [m].
   std::uint32_t add_node(const std::string& line, int number, std::array<std::uint32_t, 2> ends, double t,
                          double length) {
     const auto &a = out_.table.nodes[ends[0]].at, &b = out_.table.nodes[ends[1]].at;
@@ -351,8 +351,8 @@ class MooringReader {
     }
   }
 
-  /// Adds results for the tensions at ends of lines: as in MoorDyn, the net force on the node at the end. The
-  /// end must be held, and no other line may end there.
+  /// Adds results for the tensions at ends of lines. As in MoorDyn, they are net forces on the nodes at the
+  /// ends. Such an end must be held, and no other line may end there.
   void add_tensions() {
     std::map<std::uint32_t, int> lines_at;
     for (const auto& rope : out_.table.ropes)

@@ -8,8 +8,8 @@ namespace netloft::scenes::femnet {
 inline constexpr const char* kAxis[] = {"x", "y", "z"};
 inline constexpr double kMostMass = 1e6;  // largest mass of a node that a scene accepts [kg]
 
-/// A scene that is being written: the gear that it is made of, and its text so far. Features of the gear that
-/// a scene cannot represent are recorded by note() and leave_out().
+/// A scene that is being written: the gear from which it is made, and its text so far. The functions note()
+/// and leave_out() record features of the gear that a scene cannot represent.
 class SceneDraft {
  public:
   SceneDraft(const GearFile& of, const MeshFile& its_mesh, const Names& own_names,
@@ -52,7 +52,7 @@ class SceneDraft {
   void leave_out(const formats::Place& place, const std::string& what, const std::string& text) {
     out.findings.push_back({place, Finding::Kind::left_out, what, text});
   }
-  /// Returns the number if a scene accepts it, that is, between `lo` and `hi`; otherwise adds an error at its
+  /// Returns `value` if it is between `lo` and `hi`, as a scene requires; otherwise adds an error at its
   /// place.
   double within(double value, double lo, double hi, const formats::Place& place, const std::string& what);
 
@@ -70,19 +70,18 @@ class SceneDraft {
   formats::Diagnostics& diagnostics_;
 };
 
-/// Writes a list such as "[0, 1.5]" with nine decimals, which hide the rounding errors of times that are sums
-/// of time steps.
+/// Writes a list such as "[0, 1.5]" with nine decimals. Times are sums of time steps, whose rounding errors
+/// are smaller.
 std::string list_of(const std::vector<double>& numbers);
 
-/// Finds the lengths over time of the bars that drums haul. Each of these bars becomes a part of its own, and
-/// has no bending stiffness towards its neighbours.
+/// Finds the bars that drums haul, and their lengths over time. Each of these bars becomes a part of its own,
+/// and loses its bending stiffness towards its neighbours.
 void find_hauled(SceneDraft& to);
 
 void write_netting(SceneDraft& to);
 void write_cables(SceneDraft& to);
 void write_clamps(SceneDraft& to);
-/// Writes everything that acts on nodes because of their node type: masses, boxes of buoyancy, forces and
-/// beds.
+/// Writes everything that node types make act on nodes: masses, boxes of buoyancy, forces and beds.
 void write_loads(SceneDraft& to);
 void write_catch(SceneDraft& to);
 void write_holds(SceneDraft& to);

@@ -13,7 +13,7 @@ std::string quoted(const std::string& text);
 /// Returns an array of texts: ["a", "b"].
 std::string quoted_list(const std::vector<std::string>& texts);
 
-/// An inline table of TOML, of the added pairs: { a = 1, b = 2 }.
+/// An inline table of TOML with the pairs that were added: { a = 1, b = 2 }.
 class InlineTable {
  public:
   InlineTable& add(const char* key, double value);

@@ -19,8 +19,8 @@ std::string called(const SceneDraft& from, std::size_t cable) {
   return names + (names.empty() || floats.empty() ? "" : "; ") + floats;
 }
 
-/// Writes the part with the bars of a cable that no drum hauls; with `hauled`, the part of one bar that a
-/// drum hauls.
+/// Writes a part of a cable: without `hauled`, the part with all bars that no drum hauls; with `hauled`, the
+/// part with this one bar that a drum hauls.
 void write_bars(SceneDraft& to, const Cable& c, const std::string& name, const std::string& comment,
                 const HauledBar* hauled) {
   to.begin_part(name, "rope/bar", comment);
@@ -43,8 +43,8 @@ void write_bars(SceneDraft& to, const Cable& c, const std::string& name, const s
   to.write_drag(c.cd, c.friction, c.place);
 }
 
-/// The sum of the extents along `axis` [m] of bars that have exactly one end in a plane: positive if these
-/// bars lie on the positive side of the plane, zero if there are none.
+/// The sum of the extents along `axis` [m] of all bars that have exactly one end in a plane. It is positive
+/// if these bars lie on the positive side of the plane, zero if there are none.
 double side_of_bars(const SceneDraft& from, const std::vector<std::uint32_t>& bars,
                     const std::vector<std::uint32_t>& plane, std::size_t axis) {
   const auto is_there = [&](auto n) { return std::find(plane.begin(), plane.end(), n) != plane.end(); };
@@ -56,7 +56,8 @@ double side_of_bars(const SceneDraft& from, const std::vector<std::uint32_t>& ba
   return side;
 }
 
-/// Writes a part with bending elements between bars that end in a plane of symmetry and their mirror images.
+/// Writes a part with bending elements at a plane of symmetry, between bars that end in it and the mirror
+/// images of these bars.
 void write_mirrors(SceneDraft& to, const Cable& c, std::size_t number) {
   const formats::MeshRegion* region = to.out.mesh.find(cable_name(number));
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -117,8 +118,8 @@ void write_cables(SceneDraft& to) {
   for (std::size_t c = 0; c < to.gear.cables.size(); ++c) write_cable(to, c);
 }
 
-/// Writes the clamps, with the smaller bending stiffness of the two cables. A clamp of cables that do not
-/// meet or have no bending stiffness is left out, with a note.
+/// Writes the clamps, each with the smaller of the two bending stiffnesses of its cables. If the cables do
+/// not meet or have no bending stiffness, the clamp is left out, with a note.
 void write_clamps(SceneDraft& to) {
   for (std::size_t i = 0; i < to.gear.clamps.size(); ++i) {
     const Clamp& clamp = to.gear.clamps[i];

@@ -32,9 +32,9 @@ InlineTable twine_of(SceneDraft& to, const Panel& p, double EA, double EA_compre
   return twine.add("surface", 1);
 }
 
-/// Writes netting with one bar for n twines. In FEMNET such a bar is one thick twine, whose tangential drag
-/// (friction) is √n times too large. The scene multiplies the friction by √n, so that results agree with
-/// those of FEMNET.
+/// Writes netting with one bar for n twines. In FEMNET such a bar is one thick twine, and its tangential drag
+/// (friction) is too large by the factor √n. The scene multiplies the friction by √n, so that its results
+/// agree with those of FEMNET.
 void write_twines(SceneDraft& to, std::size_t number, const std::string& region) {
   const Panel& p = to.gear.panels[number];
   const TwineBar bar(p);
@@ -69,8 +69,8 @@ void write_panel(SceneDraft& to, std::size_t number) {
   if (to.out.mesh.find(name + "-twines")) write_twines(to, number, name + "-twines");
 }
 
-/// Initial position of the front of the catch along the current: a fifth of the length of the netting is
-/// behind it.
+/// Initial position of the front of the catch along the current. A fifth of the length of the netting lies
+/// behind this position.
 double first_front(const SceneDraft& from) {
   double low = 1e6, high = -1e6;
   for (const auto& t : from.file.triangles)

@@ -8,8 +8,8 @@ namespace netloft::scenes::femnet {
 
 namespace {
 
-/// Fraction of the load of a node that acts on the modelled half of the gear: each plane of symmetry through
-/// the node halves it.
+/// The fraction of the load of a node that acts on the modelled half of the gear. Each plane of symmetry that
+/// contains the node halves the load.
 double share_of(const NodeType& t) {
   double share = 1;
   for (const double plane : t.symmetry) share *= plane != 0 ? 0.5 : 1;
@@ -87,8 +87,8 @@ void write_loads(SceneDraft& to, std::size_t number) {
   write_limits(to, number);
 }
 
-/// Writes the velocity of a hold. After the last time the velocity falls to zero within one time step. If the
-/// first time is after zero, the velocity is zero up to one time step before the first time.
+/// Writes the velocity of a hold. After the last time, the velocity falls to zero within one time step. If
+/// the first time is later than zero, the velocity is zero until one time step before the first time.
 void write_velocity(SceneDraft& to, const NodeMotion& m, bool is_held) {
   const double dt = to.environment().time_step > 0 ? to.environment().time_step : 0.01;
   const auto with_rests = [&](std::vector<double> all, double before, double after) {

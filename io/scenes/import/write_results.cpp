@@ -22,8 +22,8 @@ std::string word_of(const std::string& text) {
   return out.substr(0, 60);
 }
 
-/// The name of a node of the mesh in the first part that has it: "cable-3.node-5"; an empty text if no part
-/// has the node.
+/// A name for a node of the mesh, formed with the first part that has the node: "cable-3.node-5"; empty if no
+/// part has it.
 std::string node_name(const SceneDraft& from, int number) {
   for (const auto& region : from.out.mesh.regions) {
     const std::set<std::uint32_t> own(region.nodes.begin(), region.nodes.end());
@@ -43,7 +43,7 @@ bool is_held(const SceneDraft& from, int node, int axis) {
 }
 
 /// The name of the part with the bars of a cable that no drum hauls. If there is no such part, the name of
-/// the cable's first hauled bar; empty if the mesh has neither.
+/// the first hauled bar of the cable; empty if the mesh has neither.
 std::string part_of_cable(const SceneDraft& from, std::size_t cable) {
   for (const auto& region : from.out.mesh.regions)
     if (region.name == cable_name(cable) || region.name.starts_with(cable_name(cable) + "-bar-"))

@@ -22,8 +22,8 @@ formats::TableReader own_table(formats::TableReader& analysis, const std::string
   return at.component.empty() ? plugin : plugin.table(at.component, formats::Presence::optional);
 }
 
-/// The parameters that the scene gives to a solver, an integrator or a strategy. They are read at the first
-/// call for a component; later calls return the same values.
+/// The parameters that the scene gives to a solver, an integrator or a strategy. The first call for a
+/// component reads them; later calls for it return the same values.
 template <class Type>
 const Values& parameters_of(const Type& component, formats::TableReader& analysis, Analysis& a) {
   const auto [given, is_new] = a.given.try_emplace(component.type);
@@ -34,8 +34,8 @@ const Values& parameters_of(const Type& component, formats::TableReader& analysi
   return given->second;
 }
 
-/// Reads the settings if `solver` names an integrator. The equilibrium is then found by a damped motion that
-/// comes to rest. Therefore mass damping is on by default.
+/// Reads the settings for a `solver` that is an integrator. A damped motion that comes to rest then finds the
+/// equilibrium. Therefore mass damping is on by default.
 void read_settling(formats::TableReader& table, Registry& registry, Analysis& a) {
   a.dynamics.integrator = a.solver;
   const IntegratorType& type = registry.integrator(a.solver);
@@ -47,10 +47,10 @@ void read_settling(formats::TableReader& table, Registry& registry, Analysis& a)
   a.dynamics.march.budget = false;
 }
 
-/// Reports keys of motions in a static analysis as errors, because the user may have forgotten kind =
+/// Reports keys of motions as errors in a static analysis, because the user may have forgotten kind =
 /// "dynamic". If the scene states its `kind`, these keys are allowed.
 void pass_over_time(formats::TableReader& table) {
-  bool is_refused = table.has("kind");  // kind = "static" is stated
+  bool is_refused = table.has("kind");  // the scene states kind = "static"
   for (const auto& key : dynamics_keys())
     if (table.has(key.name) && !std::exchange(is_refused, true))
       table.error(
@@ -86,8 +86,8 @@ void read_solver(formats::TableReader& table, Registry& registry, Analysis& a) {
 }
 
 /// Reads the strategy. If a static analysis names only a solver, the strategy is kStrategyOfNamedSolver, so
-/// that the result shows what this solver can do alone. In a motion `solver` is the solver of the time steps,
-/// and the strategy finds the equilibrium at which the motion may start.
+/// that the result shows what this solver can do alone. In a motion, `solver` solves the time steps, and the
+/// strategy finds the equilibrium at which the motion may start.
 void read_strategy(formats::TableReader& table, Registry& registry, const Values& values, Analysis& a) {
   const bool only_solver = values.contains("solver") && !values.contains("strategy");
   if (only_solver && a.kind == AnalysisKind::statics) a.strategy = kStrategyOfNamedSolver;
@@ -123,7 +123,7 @@ Analysis from_keys(const AnalysisKeys& keys) {
   return a;
 }
 
-/// Calls `read`. If `read` finds no usable plugin, reports this at `key` and sets `refused`.
+/// Calls `read`. If `read` finds no usable plugin, reports an error at `key` and sets `refused`.
 template <class Read>
 void read_component(formats::TableReader& table, const char* key, bool& refused, const Read& read) {
   try {
@@ -145,7 +145,7 @@ void report_successors(formats::TableReader& table) {
     if (table.has(key)) table.error(key, "is no longer a key of [analysis]", successor);
 }
 
-/// Whether a plugin offers a component of this name among those of one kind. Opens the plugin.
+/// Whether a plugin has a component of the kind `Type` with this name. Opens the plugin.
 template <class Type>
 bool is_offered(Registry& registry, const std::string& name, std::vector<Type> PluginContent::*kind) {
   const ComponentTable at = table_of_component(name);

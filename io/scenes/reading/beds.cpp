@@ -33,8 +33,8 @@ std::vector<Bed> beds_of(const LoadedScene& loaded) {
 }
 
 /// The height of the highest node of the gear above a bed [m]. The search begins at node `first` and stops at
-/// the first node that is higher than `enough` [m]. It stores this node in `first`, because it is likely to
-/// be above the next bed, too.
+/// the first node that is higher than `enough` [m]. The index of this node is stored in `first`, because the
+/// node is probably above the next bed, too.
 double height_above(const Bed& bed, const std::vector<double>& positions, double enough, std::size_t& first) {
   double highest = -std::numeric_limits<double>::infinity();
   const std::size_t nodes = positions.size() / 3;
@@ -46,7 +46,8 @@ double height_above(const Bed& bed, const std::vector<double>& positions, double
   return highest;
 }
 
-/// `above_others` is a node above the beds that have been checked already; the search begins there.
+/// Checks that the gear is not below the bed. The search begins at `above_others`, a node above the beds
+/// checked so far.
 void check_height(const Bed& bed, const Scene& scene, std::size_t& above_others,
                   formats::Diagnostics& diagnostics) {
   const double sinking = std::max(bed.softness, 1e-3);
@@ -79,8 +80,8 @@ class BedComparison {
   BedComparison(const std::vector<Bed>& beds, const Scene& scene)
       : beds_(beds), carrier_(scene.node_count(), kNobody) {}
 
-  /// Reports two beds that push at the same node as an error. If `warns`, also warns of a bed whose plane
-  /// differs from that of the first bed, because reports give heights above the first bed.
+  /// Reports an error if two beds push at the same node. If `warns`, also warns of a bed whose plane differs
+  /// from the plane of the first bed, because reports give heights above the first bed.
   void compare(std::size_t bed, bool warns, formats::Diagnostics& diagnostics) {
     const Bed &own = beds_[bed], &first = beds_.front();
     if (const std::size_t other = claim_nodes(bed); other != kNobody)
@@ -98,8 +99,8 @@ class BedComparison {
  private:
   static constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
 
-  /// Makes `bed` the carrier of its nodes, except those that an earlier bed carries. Returns the first
-  /// earlier bed with which it shares a node; kNobody if there is none.
+  /// Makes `bed` the carrier of its nodes, except of nodes that an earlier bed carries. Returns the first
+  /// earlier bed that carries one of its nodes; kNobody if there is none.
   std::size_t claim_nodes(std::size_t bed) {
     std::size_t other = kNobody;
     for (const auto node : beds_[bed].part->nodes) {

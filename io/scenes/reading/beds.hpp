@@ -13,8 +13,8 @@ struct BedPlane {
 };
 std::optional<BedPlane> bed_plane_of(const Part& part);
 
-/// Reports a bed that lies above the whole gear, and two beds that push at the same node, as errors. Warns of
-/// held nodes below their bed, and of beds that are different planes.
+/// Reports as errors: a bed that lies above the whole gear, and two beds that push at the same node. Warns of
+/// held nodes below their bed, and of beds that have different planes.
 void check_beds(const LoadedScene& loaded, formats::Diagnostics& diagnostics);
 
 }  // namespace netloft::scenes

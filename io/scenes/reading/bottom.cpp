@@ -15,7 +15,7 @@ namespace netloft::scenes {
 namespace {
 
 constexpr const char* kBottom = "bottom";
-constexpr double kMostFactor = 1e6;  // limit of factors; rock over mud may be as large
+constexpr double kMostFactor = 1e6;  // limit of factors, so large for the stiffness of rock over that of mud
 
 const netloft_parameter& bottom_key() {
   return *std::ranges::find_if(bed_keys(),
@@ -29,8 +29,8 @@ std::optional<std::size_t> column_named(const char* name) {
   return {};
 }
 
-/// Reports factors below zero or above kMostFactor as errors. A zero as factor of stiffness is also an error,
-/// because such a bed bears nothing.
+/// Reports factors below zero or above kMostFactor as errors; also a stiffness factor of zero, because such a
+/// bed bears nothing.
 void check_factors(const Samples& rows, formats::TableReader& bottom) {
   for (std::size_t k = 2; bottom_key().columns[k]; ++k) {
     const std::string_view name = bottom_key().columns[k];

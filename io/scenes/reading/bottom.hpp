@@ -6,9 +6,9 @@
 
 namespace netloft::scenes {
 
-/// The material of the bed, where it differs from place to place: the table `[bed] bottom` has rows of x, y
-/// and factors on parameters of the elements that rest on the bed. If an element type has a parameter
-/// `bottom`, a grid over x and y, it receives the factors for the columns of this grid.
+/// The material of the bed as a function of place. The table `[bed] bottom` has rows of x, y and factors,
+/// which multiply parameters of the elements that rest on the bed. If an element type has a parameter
+/// `bottom`, a grid over x and y, this parameter gets the factors in its columns.
 class SeaBottom {
  public:
   SeaBottom() = default;
@@ -18,8 +18,8 @@ class SeaBottom {
   bool empty() const { return rows_.empty(); }
   /// Whether the factors are the same at y and -y.
   bool is_symmetric() const;
-  /// Gives a part of this element type its factors, unless the part has factors of its own. Returns false if
-  /// the type has no parameter for them.
+  /// Gives a part of this element type its factors, unless the part states its own. Returns false if the type
+  /// has no parameter for factors.
   bool lay_under(const ElementType& type, Part& part) const;
 
  private:

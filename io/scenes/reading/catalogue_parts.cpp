@@ -52,7 +52,7 @@ void insert_numbers(std::set<std::string>& known, const std::vector<netloft_para
     if (std::string_view(p.name).starts_with(prefix)) known.insert(p.name + prefix.size());
 }
 
-/// The names of the parameters under `key` in all element types of the part's plugin. All types are included,
+/// The parameters in the table `key` of all element types of the part's plugin. All types are included,
 /// because companions (elements that the plugin adds to every part of a type) read the same table.
 std::set<std::string> known_numbers(const NamedPart& mention, Registry& registry) {
   std::set<std::string> known;
@@ -67,8 +67,8 @@ std::set<std::string> known_numbers(const NamedPart& mention, Registry& registry
   return known;
 }
 
-/// Any catalogue part of this kind, in place of a part that was not found, so that the rest of the scene can
-/// be read. nullptr if the catalogue has no part of the kind.
+/// Any catalogue part of these kinds, as a substitute for a part that was not found, so that the rest of the
+/// scene can be read. nullptr if the catalogue has no such part.
 const gears::CataloguePart* stand_in(const gears::Catalogue& catalogue, const std::string& key) {
   for (const auto& part : catalogue.parts())
     if (part.kind->key == key) return &part;
@@ -93,8 +93,8 @@ void put(const NamedPart& mention, const gears::Catalogue& catalogue, Registry& 
 
 constexpr const char *kPolar = "polar", *kSlip = "sideslip";
 
-/// A board whose table names a polar (coefficients over the angle of attack) of the catalogue: `board = {
-/// polar = "cambered-low-aspect" }`.
+/// A board whose table names a polar (coefficients as functions of the angle of attack) of the catalogue:
+/// `board = { polar = "cambered-low-aspect" }`.
 struct NamedPolar {
   formats::Table* board;
   std::string path;
@@ -112,8 +112,8 @@ std::vector<NamedPolar> find_polars(formats::Value& scene) {
   return polars;
 }
 
-/// A table of those `columns` that the polar has. The first column is the angle. Returns nullopt if the
-/// second column, which has the first coefficients, is missing.
+/// A table with those `columns` that the polar has. The first column is the angle. Returns nullopt if the
+/// polar has no second column, that of the first coefficient.
 std::optional<formats::Value> columns_of(const gears::CataloguePart& polar,
                                          const std::vector<const char*>& columns, formats::Place place) {
   formats::Table table;

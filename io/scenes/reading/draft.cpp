@@ -70,7 +70,7 @@ std::optional<Joiner::Ends> Draft::find_set(const Mention& m) {
   }
   if (find_own_nodes(geometry.names, geometry.node_count(), name, ends.own)) return ends;
   const bool hangs_on_geometry = geometry.node_count() == 0 || name.starts_with("node-") || name == "middle";
-  // If the part has an error in its geometry, which has been reported, this may be why the name is missing.
+  // An error in the geometry of the part, which has been reported, may be the reason why the name is missing.
   if (is_sound[*p] || !hangs_on_geometry)
     diagnostics_.error(
         m.place,

@@ -15,7 +15,7 @@ namespace netloft::scenes {
 /// Removes repeated nodes and keeps the order of the others.
 void drop_repeats(std::vector<std::uint32_t>& nodes);
 
-/// A name that a scene mentions, and its place in the file, for error messages.
+/// A name that a scene uses, and its place in the file, for error messages.
 struct Mention {
   std::string name;
   formats::Place place;
@@ -25,7 +25,7 @@ struct Mention {
 /// The mention of a name that is the value of `key` in `table`.
 Mention mention(const std::string& name, const formats::TableReader& table, std::string_view key);
 /// The mention of a name that is item i of the array `key`. If the value is a single name instead of an
-/// array, the place is that of the key.
+/// array, the mention has the place of the key.
 Mention mention_of_item(const std::string& name, formats::TableReader& table, std::string_view key,
                         std::size_t i);
 
@@ -44,23 +44,23 @@ class Draft {
   void announce_rider(const std::string& name) { riders_.insert(name); }
   void add_rider(Part part, formats::Place place, const ElementType* type, bool is_sound);
 
-  /// Finds the nodes that a name stands for ("net", "net.fore", "net.node-17"), as numbers within one part.
-  /// If there are none, reports an error at the mention and returns nullopt.
+  /// Finds the nodes that a name ("net", "net.fore", "net.node-17") means, as numbers within one part. If
+  /// there are none, reports an error at the mention and returns nullopt.
   std::optional<Joiner::Ends> find_set(const Mention& m);
   /// Like find_set(), but the name of a rider is an error, because a rider has no nodes.
   std::optional<Joiner::Ends> find_nodes(const Mention& m);
-  /// Converts numbers within a part to numbers of the scene, in which nodes must be numbered already.
+  /// Converts node numbers within a part to node numbers of the scene. Nodes must be numbered.
   std::vector<std::uint32_t> scene_nodes(const Joiner::Ends& ends) const;
   /// The elements at the nodes of the scene, without those of riders; nodes must be numbered.
   const NodeElements& node_elements() const;
   void refuse_rider(const Mention& m, const std::string& name);
   std::optional<std::size_t> part_number(const std::string& name) const;
-  /// Expands "*.middle" to the names "PART.middle" of all parts that have this edge or point, and reports an
-  /// error if none has it. Returns other names unchanged.
+  /// Expands "*.middle" to the names "PART.middle" for all parts that have an edge or point `middle`, and
+  /// reports an error if none has it. Returns other names unchanged.
   std::vector<Mention> expand(const Mention& m);
-  /// Expands the name of a body of a pair, if the whole gear is modelled: "door.toe" becomes
-  /// "starboard-door.toe" and "port-door.toe". Returns other names unchanged. A part of the scene can
-  /// therefore name "door.toe", no matter whether half the gear or the whole gear is modelled.
+  /// Expands the name of a body of a pair if the whole gear is modelled: "door.toe" becomes
+  /// "starboard-door.toe" and "port-door.toe". Returns other names unchanged. A scene can therefore use the
+  /// name "door.toe" both for half the gear and for the whole gear.
   std::vector<Mention> both_sides(const Mention& m) const;
 
   LoadedScene out;

@@ -94,8 +94,8 @@ double limited(double slope, double before, double after) {
   return std::clamp(slope, -most, most);
 }
 
-/// A smooth motion through the displacements d at the times t: cubic in between. The velocity at a point is
-/// the mean slope to its two neighbours, limited by limited(), and zero at the first and last point.
+/// A smooth motion through the displacements d at the times t, cubic between these times. The velocity at a
+/// point is the mean slope to its two neighbours, limited by limited(), and zero at the first and last point.
 Course through(const std::vector<double>& t, const std::vector<Course::Point>& d) {
   Course course;
   for (std::size_t i = 0; i < t.size(); ++i) {
@@ -110,7 +110,7 @@ Course through(const std::vector<double>& t, const std::vector<Course::Point>& d
   return course;
 }
 
-/// The motion whose velocities are v at the times t and linear between them; the displacement is zero at time
+/// The motion with velocities v at the times t, linear between these times. The displacement is zero at time
 /// zero.
 Course gone(const std::vector<double>& t, const std::vector<Course::Point>& v) {
   Course course;
@@ -181,7 +181,7 @@ Dynamics read_dynamics(formats::TableReader& analysis, Registry& registry) {
   d.material_damping = k.material_damping;
   const IntegratorType& type = registry.integrator(d.integrator);
   if (analysis.diagnostics().errors() > errors_before)
-    return d;  // otherwise the checks below would repeat these errors
+    return d;  // else the checks below would report these errors again
   if (k.shortest_step > k.longest_step)
     analysis.error("shortest_step", "is longer than longest_step, so that no step is allowed");
   if (k.adaptive && k.step > k.longest_step)

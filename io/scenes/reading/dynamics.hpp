@@ -18,8 +18,8 @@ struct Dynamics {
   MarchSettings march = {};
   bool material_damping = true;  // whether loss factors of parts are used
   double stiffness_damping = 0;  // β of Rayleigh damping α M + β K [s]; α is march.mass_damping
-  // Whether the motion starts from the equilibrium. If not, it starts at rest from start_file or the initial
-  // positions.
+  // Whether the motion starts from the equilibrium. Otherwise it starts at rest from the positions in
+  // start_file or, without this file, from the initial positions.
   bool from_equilibrium = false;
   std::filesystem::path start_file = {};  // result file of the start; relative to the scene unless absolute
 };

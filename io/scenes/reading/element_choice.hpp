@@ -8,8 +8,9 @@
 
 namespace netloft::scenes {
 
-/// Reports at `key` why the registry has no usable plugin for the value of this key. The first line of `what`
-/// becomes the message. Further lines, which list the places that were searched, become the hint.
+/// Reports at `key` why the registry has no usable plugin with the name that is the value of this key. The
+/// first line of `what` becomes the message; further lines, which list the places that were searched, become
+/// the hint.
 void report_refusal(formats::TableReader& table, const char* key, const std::string& what);
 
 /// Reads a text that must not be empty; reports an empty one.
@@ -23,13 +24,13 @@ class ElementChoice {
  public:
   ElementChoice(Registry& registry, bool& refused) : registry_(registry), refused_(refused) {}
 
-  /// The element type of this name. If there is none, reports this at the key `type` and returns nullptr; if
-  /// the name is empty, returns nullptr without a report. find() refuses a flow (an element that changes the
-  /// water), because a flow is not a part of a gear; find_flow() refuses all other elements.
+  /// The element type with this name. If there is none, reports an error at the key `type` and returns
+  /// nullptr; if the name is empty, returns nullptr without an error. find() rejects a flow (an element that
+  /// changes the water), because a flow is not a part of a gear; find_flow() rejects all other elements.
   const ElementType* find(const std::string& name, formats::TableReader& table) const;
   const ElementType* find_flow(const std::string& name, formats::TableReader& table) const;
-  /// The companions of an element type: element types of its plugin that the program adds to every part of
-  /// this type, on the elements of the part. For example, bending is added to the bars of a rope.
+  /// The companions of an element type: other element types of its plugin that the program adds to every part
+  /// of this type, on the same elements. For example, bending is added to the bars of a rope.
   std::vector<const ElementType*> companions_of(const ElementType& type) const;
   /// Reads the parameters of a part, including those of its companions, and its laws, such as a law of drag.
   void read(const ElementType& type, formats::TableReader& table, Part& part) const;

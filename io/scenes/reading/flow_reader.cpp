@@ -13,13 +13,13 @@ namespace {
 
 constexpr const char *kFlow = "flow", *kRim = "rim", *kBehind = "behind", *kAhead = "ahead";
 
-/// Whether some term of an element type depends on the water in a way that a flow can change.
+/// Whether some force term of an element type depends on the water in a way that a flow can change.
 bool sees_water(const ElementType& type) {
   return std::ranges::any_of(type.terms, [](const auto& term) { return sees_changed_water(term.traits); });
 }
 
-/// Joins the nodes of consecutive edges. An edge is reversed if its end is nearer to the previous edge than
-/// its beginning.
+/// Joins the node lists of consecutive edges into one. An edge is reversed if its end is nearer to the
+/// previous edge than its beginning.
 std::vector<std::uint32_t> chained(std::vector<std::vector<std::uint32_t>> edges, const Scene& scene) {
   const auto apart = [&](std::uint32_t a, std::uint32_t b) {
     double squares = 0;
@@ -47,7 +47,7 @@ std::vector<std::uint32_t> chained(std::vector<std::vector<std::uint32_t>> edges
 
 }  // namespace
 
-/// The type of the flow; nullptr after an error, and if the water is not changed.
+/// The element type of the flow; nullptr after an error, or if the scene has no flow.
 const ElementType* FlowReader::find_type(formats::TableReader& table) const {
   const std::string name =
       read_name(table, "type", "how the net changes the water, such as \"flow/momentum\"");
@@ -85,7 +85,7 @@ void FlowReader::read() {
   draft_.add_rider(std::move(flow), table.place(), type, true);
 }
 
-/// The bag that the table describes or, if it does not, the bag of the net plan.
+/// The bag that the table describes; if it describes none, the bag of the net plan.
 std::optional<Bag> FlowReader::find_bag(formats::TableReader& table) const {
   if (table.has(kRim)) return read_bag(table);
   for (const char* key : {kBehind, kAhead})
@@ -127,8 +127,8 @@ std::vector<std::uint32_t> FlowReader::read_rim(formats::TableReader& table) con
   return rim;
 }
 
-/// Turns the rim such that its projection on the plane across the current is counter-clockwise if the water
-/// flows towards the reader. Returns false if the rim encloses no area.
+/// Turns the rim such that it is counter-clockwise for an observer towards whom the water flows, in
+/// projection on the plane across the current. Returns false if the rim encloses no area.
 bool FlowReader::turn_to_current(std::vector<std::uint32_t>& rim) const {
   const Scene& scene = draft_.out.scene;
   const auto at = [&](std::size_t i, std::size_t axis) {

@@ -5,15 +5,16 @@
 
 namespace netloft::scenes {
 
-/// Reads `[flow]`, which describes how a net changes the water. It becomes a part of the scene on the rim of
-/// the mouth, and is stored in the parts that it affects (Part::flow). Nodes must be numbered.
+/// Reads `[flow]`, which describes how a net changes the water. The flow becomes a part of the scene on the
+/// rim of the mouth, and its index is stored in the parts that it affects (Part::flow). Nodes must be
+/// numbered.
 class FlowReader {
  public:
   FlowReader(formats::TableReader& root, const ElementChoice& elements, Draft& draft, const GearSteps& gear)
       : root_(root), diagnostics_(root.diagnostics()), elements_(elements), draft_(draft), gear_(gear) {}
 
   void read();
-  /// Reads `[flow]`, except for the parts that it names.
+  /// Reads and checks those keys of `[flow]` that need no mesh.
   void read_undivided();
 
  private:

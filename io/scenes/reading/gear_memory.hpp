@@ -26,8 +26,8 @@ struct DividedPanels {
   std::map<std::string, SheetPlace> sheet;  // see GearInScene::sheet
 };
 
-/// Stored results of expensive steps of reading a scene with a net plan, each with its inputs, for later
-/// instances.
+/// Stored results of expensive steps of reading a scene with a net plan. Each is stored with its inputs, and
+/// reused by later instances.
 struct GearMemory {
   gears::Divisions divisions;
   /// Parameters of the parts of the plan, by the name of the part.

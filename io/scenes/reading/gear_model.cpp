@@ -22,15 +22,15 @@ bool wants_knots(formats::TableReader& table) {
   return nodes && *nodes->as<std::string>() == kKnots;
 }
 
-/// Reads the keys of `[gear]`, except `nodes` if its value is a word.
+/// Reads the keys of `[gear]`, but not `nodes` if `knots`, because its value is then a word.
 Values read_gear_keys(formats::TableReader& table, bool knots) {
   std::vector<netloft_parameter> keys(gear_keys().begin(), gear_keys().end());
   if (knots) std::erase_if(keys, [](const auto& key) { return std::string_view(key.name) == "nodes"; });
   return read_parameters(keys, table);
 }
 
-/// Reports `nodes` together with `size` as an error, because each of them sets the fineness of the mesh.
-/// Reports a number of nodes that is out of range.
+/// Reports an error if the scene states both `nodes` and `size`, because each of them sets the fineness of
+/// the mesh, or if the number of nodes is out of range.
 void check_fineness(const GearKeys& keys, formats::TableReader& table) {
   if (keys.size > 0 && table.has("nodes") && keys.nodes > 0)
     table.error("size", "is given beside nodes, and each of them says how fine the mesh is",
@@ -47,7 +47,7 @@ void check_knots(formats::TableReader& gear) {
                  "leave one of them out");
 }
 
-/// Reports half a gear as an error if the plan differs between port and starboard.
+/// Reports an error if half a gear is requested but the plan differs between port and starboard.
 void check_halves(const gears::NetPlan& plan, formats::TableReader& table) {
   for (const auto& body : plan.bodies)
     if (body.stands != gears::Standing::pair)
@@ -79,7 +79,7 @@ void check_halves(const gears::NetPlan& plan, formats::TableReader& table) {
                   "set extent = \"whole\", or leave out tension_port");
 }
 
-/// Reads `finer = { top-codend = 2 }`: factors on the fineness of single panels and ropes.
+/// Reads `finer = { top-codend = 2 }`: factors by which the mesh of single panels and ropes is finer.
 void read_finer(formats::TableReader& table, const gears::Gear& gear, gears::Fineness& fineness) {
   formats::TableReader finer = table.table("finer", formats::Presence::optional);
   std::vector<std::string> names;

@@ -10,7 +10,7 @@
 
 namespace netloft::scenes {
 
-/// The gear of a net plan as it is modelled, whole or one half of it, and the fineness of its mesh.
+/// The modelled gear of a net plan, whole or half, and the fineness of its mesh.
 struct GearModel {
   gears::Gear gear;
   gears::Fineness fineness;
@@ -19,8 +19,8 @@ struct GearModel {
 /// Reads `[gear]`. Returns nullopt if its keys have errors, which are reported.
 std::optional<GearModel> read_gear_model(const gears::NetPlan& plan, formats::TableReader& root);
 
-/// Converts a name of the plan to the names of the modelled gear, which are in `names`: the name itself or,
-/// in a whole gear, its port and starboard copies. Returns an empty list if there are none.
+/// Converts a name of the plan to names of the modelled gear, all of which are in `names`: the name itself
+/// or, in a whole gear, its port and starboard copies. Empty if the modelled gear has none of these names.
 std::vector<std::string> meant_by(const std::string& name, const std::vector<std::string>& names);
 
 }  // namespace netloft::scenes

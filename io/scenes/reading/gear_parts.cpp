@@ -33,7 +33,7 @@ void keep_strength(LoadedScene& loaded, const std::string& part, const formats::
   if (load > 0) loaded.strengths[part] = {load, material};
 }
 
-/// The geometry of a panel without positions. It depends only on data with which the panel was divided.
+/// The geometry of a panel without positions. It depends only on the division of the panel into elements.
 Geometry geometry_of(const gears::Panel& plan, const gears::PanelMesh& mesh) {
   Geometry geometry;
   geometry.names.panel = mesh.meshes;
@@ -80,7 +80,7 @@ GearParts::GearParts(const gears::NetPlan& plan, formats::TableReader& root, con
     in_scene.bill = bill_of(plan);
     in_scene.netting = netting_of(plan);
   } else {
-    gear_ = gears::make_gear(plan, gears::Extent::whole);  // gives the names of the gear's parts
+    gear_ = gears::make_gear(plan, gears::Extent::whole);  // only for the names of the parts of the gear
   }
   insert_names();
   formats::TableReader table = root.table("elements", formats::Presence::optional);
@@ -162,8 +162,8 @@ void GearParts::insert_names() {
   insert(gear_.bodies);
 }
 
-/// The initial guess for a board: as deep as such boards usually go behind warps of this length, but not
-/// below the bed. This guess affects only which of several equilibria is found.
+/// The initial guess for the position of a board: the usual depth of boards behind warps of this length, but
+/// not below the bed. If there are several equilibria, the guess affects which of them is found.
 BodyOfPlan GearParts::place_of(const gears::GearBody& body) const {
   BodyOfPlan place{body.is_mirrored ? -1.0 : 1.0, {}};
   const gears::Rope* warp = plan_.find_rope(gears::kWarp);
@@ -210,7 +210,7 @@ void GearParts::add_parts() {
   name_points();
 }
 
-/// Adds a panel with its twine. `nodes`: for each node of the panel, its number in the gear.
+/// Adds a panel with its twine. `nodes` contains, for each node of the panel, its number in the gear.
 void GearParts::add_netting(const gears::GearPanel& panel, Geometry geometry,
                             const std::vector<std::uint32_t>& nodes) {
   const gears::Panel& plan = *panel.panel;
@@ -237,7 +237,7 @@ void GearParts::add_rope(const gears::GearRope& rope, const gears::RopeMesh& mes
            std::move(geometry), mesh.nodes);
 }
 
-/// Adds a panel or a rope as a part. `nodes`: for each node of the part, its number in the gear.
+/// Adds a panel or a rope as a part. `nodes` contains, for each node of the part, its number in the gear.
 void GearParts::add_part(std::string_view kind, const std::string& name, const std::string& path,
                          formats::Value numbers, bool is_of_catalogue, Geometry geometry,
                          const std::vector<std::uint32_t>& nodes) {
@@ -311,7 +311,7 @@ void GearParts::put_pieces(const gears::GearPieces& pieces) {
   draft_.add_rider(std::move(part), pieces.pieces->place, elements_->type_of("floats"), is_sound);
 }
 
-/// The nodes to which floats or weights are attached, each with the length of rope or edge that it represents
+/// The nodes to which floats or weights are attached. Each has the length of rope or edge that it represents
 /// [m].
 std::map<std::uint32_t, double> GearParts::carried_by(const gears::GearPieces& pieces) const {
   std::map<std::uint32_t, double> carried;
@@ -352,7 +352,7 @@ void GearParts::name_lines(GearInScene& gear) const {
 }
 
 /// The name of a point in reports. An end of a rope that runs from port to starboard has the same name in the
-/// whole gear and in the half.
+/// whole gear and in half a gear.
 std::string GearParts::point_name(const std::string& name) const {
   const auto dot = name.find('.');
   const gears::GearRope* rope = dot == std::string::npos ? nullptr : gear_.find_rope(name.substr(0, dot));
@@ -383,9 +383,9 @@ bool GearParts::is_carried_at(const std::string& point, const std::set<std::uint
 
 namespace {
 
-/// Replaces the key `number`, the pieces of one board, by the key `each`, the pieces at each of its contact
-/// points. `each` is the same whether one board or both are modelled. `shoes`: number of contact points of
-/// one board.
+/// Replaces the key `number`, the number of pieces on one board, by the key `each`, the number at each of its
+/// contact points. `each` is the same whether one board or both are modelled. `shoes` is the number of
+/// contact points of one board.
 void count_on_one_side(formats::Table& contact, double shoes) {
   if (contact.find("each")) return;
   double pieces = 1;
@@ -435,8 +435,8 @@ const gears::RopeMesh* GearParts::rope_of_role(std::string_view role) const {
   return nullptr;
 }
 
-/// Whether a panel is a wing. One side of a wing hangs on the headline or the footrope, so that it is ahead
-/// of the mouth with undisturbed water on both faces.
+/// Whether a panel is a wing. One side of a wing hangs on the headline or the footrope. A wing is ahead of
+/// the mouth, with undisturbed water on both faces.
 bool GearParts::is_wing(const gears::GearPanel& panel) const {
   return std::ranges::any_of(plan_.hangings, [&](const gears::Hanging& hanging) {
     const gears::Rope* rope = plan_.find_rope(hanging.rope);
@@ -511,7 +511,7 @@ void GearParts::hold_blocks() {
 
 /// Prepares warps on winches; each warp starts at its block. If a warp has a given tension, its length
 /// becomes an unknown of the search for the equilibrium (Setting in framework/scene/scene.hpp). In a motion,
-/// a winch follows the winch program of the plan. If there is no program, it holds the tension.
+/// a winch follows the program in the plan; without a program, it keeps the tension constant.
 void GearParts::set_winches() {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r) {
     const gears::GearRope& rope = gear_.ropes[r];

@@ -20,7 +20,7 @@ inline constexpr const char* kPlaneOfSymmetry = "plane of symmetry";
 inline constexpr const char* kShip = "ship";
 
 /// Makes the parts of a scene from its net plan: panels of triangles and ropes of bars, joined as in the
-/// plan, with floats and weights. Virtual members are steps of reading a scene (GearSteps), in their order.
+/// plan, with floats and weights. The virtual members are the steps of GearSteps, in their order.
 class GearParts : public GearSteps {
  public:
   /// Reads `[gear]` and `[elements]`. `plan` must have no errors.
@@ -59,8 +59,8 @@ class GearParts : public GearSteps {
                 const std::vector<std::uint32_t>& nodes);
   /// The initial guess for the position of a body.
   BodyOfPlan place_of(const gears::GearBody& body) const;
-  /// Connects the ropes that end at a body: its points become their ends. `part` is the index of the body's
-  /// part.
+  /// Connects the ropes that end at a body: the points of the body become the ends of these ropes. `part` is
+  /// the index of the body's part.
   void tie(const gears::GearBody& body, std::size_t part);
   void add_parts();
   /// Records that a part has a node of the gear.
@@ -89,13 +89,13 @@ class GearParts : public GearSteps {
   bool is_sound_ = false;                      // false after an error in `[gear]` or `[elements]`
   std::shared_ptr<gears::Division> division_;  // nullptr before divide() and after an error
   std::shared_ptr<const DividedPanels> panels_;
-  // Coordinates for the initial shape that are known from the points of bodies.
+  // Coordinates that the points of bodies give to the initial shape.
   std::vector<gears::KnownCoordinate> known_;
   std::vector<double> start_;  // initial positions, 3 per node of the gear
-  /// For each node of the gear: the first part that has this node, which determines its position, and the
-  /// number of the node within the part; nullopt before a part has it.
+  /// For each node of the gear: the first part that has this node, whose positions the node gets, and the
+  /// number of the node within this part; nullopt as long as no part has the node.
   std::vector<std::optional<Joiner::OwnNode>> first_;
-  // nodes of the gear in parts other than the first one
+  // Nodes of the gear in later parts than their first one.
   std::vector<std::pair<std::uint32_t, Joiner::OwnNode>> others_;
 };
 

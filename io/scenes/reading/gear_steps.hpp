@@ -15,15 +15,15 @@ class PartReader;
 /// The bag of a net: the rim of its mouth, and the parts of the net whose drag slows the water.
 struct Bag {
   /// Nodes of the scene along the rim: the footrope from port (in half a gear from the middle) to starboard,
-  /// then back along the headline. The first node follows the last.
+  /// then back along the headline. The rim is closed: the first node follows the last.
   std::vector<std::uint32_t> rim;
-  // Indices of parts: the netting behind the mouth; and the parts ahead of it: wings, ropes on which netting
-  // hangs, and parts that these carry.
+  // Indices of parts. `behind`: the netting behind the mouth; `ahead`: wings, ropes on which netting hangs,
+  // and parts that these carry.
   std::vector<std::uint32_t> behind, ahead;
 };
 
-/// The steps of reading a scene that concern a net plan, in their order. This class is for scenes without a
-/// net plan, and its functions do nothing; GearParts implements them for a plan.
+/// The steps of reading a scene that concern a net plan, in their order. In this class, which serves scenes
+/// without a net plan, they do nothing; GearParts implements them for a plan.
 class GearSteps {
  public:
   virtual ~GearSteps() = default;
@@ -46,15 +46,15 @@ class GearSteps {
   virtual void join(Joiner&) const {}
   /// Adds floats and weights once the nodes of the scene are numbered.
   virtual void add_pieces() {}
-  /// The contact parts that keep the gear on the bed, as tables like those of `[parts]`; none without
-  /// `[elements.contact]`. There is one for each rope and body of the plan that touches the bed. `carried`
-  /// are the nodes of contact parts that are already in the scene file. If all nodes of a rope or body are
-  /// among them, it gets no contact part.
+  /// The contact parts that keep the gear on the bed, as tables like those of `[parts]`: one for each rope
+  /// and body of the plan that touches the bed; none without `[elements.contact]`. `carried` are the nodes of
+  /// contact parts that are already in the scene file. A rope or body all of whose nodes are in `carried`
+  /// gets no contact part.
   virtual std::vector<std::pair<std::string, formats::Value>> contacts(const std::set<std::uint32_t>&) const {
     return {};
   }
-  /// Whether a towed gear would sink into the bed, because not all of its footrope has contact. `carried`:
-  /// nodes with contact.
+  /// Whether a towed gear would sink into the bed, because a part of its footrope has no contact. `carried`
+  /// are the nodes with contact.
   virtual bool sinks_into_bed(const std::set<std::uint32_t>&) const { return false; }
   /// The bag of the net, for flows that slow the water in it; nullopt if the plan has no mouth. Nodes must be
   /// numbered.
@@ -63,8 +63,8 @@ class GearSteps {
   virtual void add_holds() {}
   /// Fits the initial shape to the positions of held nodes.
   virtual void follow_holds() {}
-  /// Reports motions of the ship and of winches as errors. Called for a static analysis only, where they
-  /// would have no effect.
+  /// Reports an error if the plan has motions of the ship or of winches. Called for a static analysis only,
+  /// where such motions have no effect.
   virtual void refuse_motions() const {}
   /// Completes the winches of the plan once the analysis is known.
   virtual void complete_winches(Registry&) const {}

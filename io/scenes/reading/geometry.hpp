@@ -25,8 +25,8 @@ struct Geometry {
   std::vector<double> positions;        // 3 per own node [m]
   std::vector<std::uint32_t> elements;  // own nodes of each element
   ElementData data;
-  /// Triangles between the bars of a panel in bars, on which pressure acts: own nodes, counter-clockwise seen
-  /// from outside, and data of each triangle.
+  /// Triangles between the bars of a panel in bars, on which pressure acts: the own nodes of each,
+  /// counter-clockwise seen from outside, and its data.
   struct Faces {
     std::vector<std::uint32_t> nodes;
     ElementData data;
@@ -48,7 +48,7 @@ struct GeometryKey {
   std::vector<std::string> words = {};  // allowed words, the first one is the default
 };
 
-/// The shape of parts with elements of a type. It follows from declarations of the type, never from its name:
+/// The shape of parts with elements of a type. It follows from what the type declares, never from its name:
 /// elements on nodes make points, elements on bars make ropes, elements on triangles make panels, and
 /// elements on bars with the datum `parallel` make panels in bars.
 enum class Layout { point, line, panel_in_triangles, panel_in_bars, body };
@@ -57,10 +57,11 @@ Layout layout_of(const ElementType& type);
 /// The geometry keys of parts with this layout.
 const std::vector<GeometryKey>& geometry_keys(Layout layout);
 
-/// The point at fraction `t` of the length of a line through one or more points.
+/// The point on a line through one or more points, at the fraction `t` of its length.
 std::array<double, 3> along_line(const std::vector<std::array<double, 3>>& line, double t);
 
-/// Reads a part that is a single node. It has the set `point`; data of its element: pieces = 1, length = 0 m.
+/// Reads a part that is a single node. Its set is `point`; the data of its element are pieces = 1 and length
+/// = 0 m.
 Geometry read_point(formats::TableReader& part);
 
 /// Reads a rope, divided into bars. Keys: `length` unstretched; `cells`, the number of bars; `sketch`, the
@@ -87,10 +88,9 @@ Geometry read_panel(formats::TableReader& part);
 /// corner, in the order fore left, fore right, aft right, aft left. Each bar stands for m parallel twines
 /// (`parallel`) of m mesh bars each, where `bar` is the length of a mesh bar:
 ///   rest_length = m bar,  parallel = m                                                              (1)
-///   4 rest_length parallel = 4 m² bar, the bars of m² meshes                                        (2)
 /// The total length of twine (2) is that of the panel for every m. No bar lies on an edge, so that edges need
-/// no special bars. With m = 1, nodes are the knots and bars the bars of the net. Cells that are not square
-/// in meshes are an error, because their bars would run across twines. Nodes and sets are those of
+/// no special bars. With m = 1, nodes are the knots and bars the bars of the net. Cells must be square in
+/// meshes; otherwise their bars would run across twines. Nodes and sets are those of
 /// read_panel() with crossed cells, but sets have no centres. Data of elements: rest_length [m], parallel.
 /// Faces (Geometry::Faces): four triangles per cell, from its centre to each side, with to_aft as in
 /// read_panel().

@@ -10,7 +10,7 @@ const formats::Range kCoordinates = formats::between(-1e6, 1e6);
 const formats::Range kMeshes{.lo = 0, .hi = 1e6, .lo_open = true};
 const formats::Range kRadii = formats::between(0, 1e4);
 
-/// The name of a key without the table before the dot.
+/// The name of a key without its table: the text after the dot.
 std::string leaf(const GeometryKey& key) { return key.name.substr(key.name.find('.') + 1); }
 
 }  // namespace

@@ -12,9 +12,9 @@ namespace netloft::scenes {
 
 namespace {
 
-// A node counts as beyond the plane of symmetry only if it is beyond it by more than this fraction of the
-// breadth of the gear. Nodes were beyond the plane by up to 5e-10 of the breadth in converged solutions, and
-// by 0.1 in crossed gears.
+// A node is beyond the plane of symmetry if its distance from the plane exceeds this fraction of the breadth
+// of the gear. In converged solutions, nodes were beyond the plane by up to 5e-10 of the breadth; in crossed
+// gears, by 0.1.
 constexpr double kRounding = 1e-6;
 constexpr std::size_t kMostNames = 5;
 
@@ -55,8 +55,8 @@ std::string list_names(const LoadedScene& loaded, const std::vector<Beyond>& par
   return names;
 }
 
-/// The unit vector to starboard, normal to the flow at height z; nullopt if the flow comes from behind the
-/// drawn gear, so that the gear turns round.
+/// The horizontal unit vector to starboard, normal to the flow at height z; nullopt if the flow comes from
+/// behind the drawn gear, so that the gear turns round.
 std::optional<std::array<double, 2>> starboard_at(const Scene& scene, double z) {
   std::array<double, 3> v{}, dz{};
   scene.current.at(z, v, dz);

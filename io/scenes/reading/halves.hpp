@@ -11,8 +11,8 @@ namespace netloft::scenes {
 /// Half a gear that has crossed its plane of symmetry, y = 0, or a pair of bodies of a whole gear that have
 /// crossed each other. Nothing in the mechanics prevents such a crossing.
 struct Crossing {
-  std::uint32_t part = 0;  // half a gear: the part farthest beyond the plane; a pair: one of its bodies
-  bool is_held = false;    // half a gear: whether a node beyond the plane is held along y
+  std::uint32_t part = 0;  // of half a gear: the part farthest beyond the plane; of a pair: one body
+  bool is_held = false;    // of half a gear: whether a node beyond the plane is held along y
   std::string sentence;
 };
 

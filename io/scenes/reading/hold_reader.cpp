@@ -29,7 +29,7 @@ void HoldReader::read() {
   }
 }
 
-/// The nodes that the names in a hold stand for; an empty list after an error.
+/// The nodes that a hold names; empty after an error.
 std::vector<std::uint32_t> HoldReader::find_held(const HoldEntry& entry, formats::TableReader& table) {
   std::vector<std::uint32_t> nodes;
   std::size_t sets = 0;

@@ -13,7 +13,7 @@ class HoldReader {
       : root_(root), diagnostics_(root.diagnostics()), draft_(draft), out_(draft.out), gear_(gear) {}
 
   void read();
-  /// Reports moving holds in a static analysis as errors, unless `--set` has made the analysis static.
+  /// Reports an error for moving holds in a static analysis, unless `--set` has made the analysis static.
   void check_guides();
   void report_one_sided() const { one_sided_.report(draft_, diagnostics_); }
 

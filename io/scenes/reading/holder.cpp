@@ -42,8 +42,8 @@ std::array<double, 9> frame_along(const std::array<double, 3>& d) {
   return {a[0], b[0], c[0], a[1], b[1], c[1], a[2], b[2], c[2]};
 }
 
-/// Reads `along`, the direction of a line on which the nodes can move, or `plane`, the normal of a plane in
-/// which they can move (a plane of symmetry).
+/// Reads `along`, the direction of a line along which the nodes are free, or `plane`, the normal of a plane
+/// in which the nodes are free (a plane of symmetry).
 void read_frame(formats::TableReader& table, HoldEntry& entry) {
   const bool along = table.has("along"), plane = table.has("plane");
   if (!along && !plane) return;
@@ -155,7 +155,7 @@ HoldEntry read_hold(formats::TableReader& table) {
   return entry;
 }
 
-/// Nodes that are moved by a ship of the net plan keep their motion.
+/// The constructor keeps the motion of nodes that a ship of the net plan moves.
 Holder::Holder(Scene& scene) : scene_(scene), sketch_(scene.positions) {
   for (const Guide& guide : scene.guides) {
     const auto grip = std::make_shared<const Grip>(Grip{{}, guide.course});
@@ -188,7 +188,7 @@ Hold Holder::hold(const HoldEntry& entry, const std::vector<std::uint32_t>& node
   return held;
 }
 
-/// The position that an entry gives a node, by default the initial one.
+/// The position that an entry gives a node: a point of `at`, or the initial position if `at` is empty.
 Point Holder::place(const HoldEntry& entry, std::size_t i, const std::vector<std::uint32_t>& nodes) const {
   if (!entry.at.empty())
     return along_line(entry.at, nodes.size() > 1 ? double(i) / double(nodes.size() - 1) : 0);
@@ -207,15 +207,15 @@ Point Holder::position(std::uint32_t node) const {
   return {x[0], x[1], x[2]};
 }
 
-/// Whether an entry can hold a node that earlier entries may already hold. It cannot if the entry and the
-/// earlier entries use different frames and both hold fewer than three axes.
+/// Whether an entry can hold a node that earlier entries may already hold. It cannot if it and the earlier
+/// entries use different frames, and neither they nor it hold all three axes.
 bool Holder::can_hold(std::uint32_t node, const HoldEntry& entry) const {
   if (scene_.held[node] == 0 || scene_.held[node] == kAllAxes || entry.axes == kAllAxes) return true;
   const auto* own = frame_of(node);
   return entry.frame ? own && *own == *entry.frame : !own;
 }
 
-/// The directions along which both `entry` and earlier entries hold a node; can_hold() must be true for this
+/// The directions along which both `entry` and earlier entries hold a node. can_hold() must be true for this
 /// node.
 std::vector<Point> Holder::shared_directions(std::uint32_t node, const HoldEntry& entry) const {
   const auto* frame = entry.frame ? &*entry.frame : nullptr;
@@ -250,8 +250,8 @@ bool Holder::agrees(std::uint32_t node, const HoldEntry& entry, const Point& at,
   return true;
 }
 
-/// Whether earlier entries move a node along `direction` in the same way as `course`. Because courses are
-/// cubic between knots, two courses are equal if they agree at the knots of both.
+/// Whether earlier entries move a node along `direction` in the same way as `course`. A course is cubic
+/// between its knots; therefore two courses are equal if they agree at the knots of both.
 bool Holder::moves_alike(std::uint32_t node, const Course& course, const Point& direction) const {
   std::vector<std::pair<Point, const Course*>> parts;  // an axis of the node, times its component along the
                                                        // direction
@@ -278,7 +278,7 @@ bool Holder::moves_alike(std::uint32_t node, const Course& course, const Point& 
   });
 }
 
-/// The place in the file of the entry that holds the node along the axis nearest to `direction`, as text.
+/// The file and line of the entry that holds the node along the axis nearest to `direction`.
 std::string Holder::holder_of(std::uint32_t node, const Point& direction,
                               formats::Diagnostics& diagnostics) const {
   const Grip* nearest = nullptr;
@@ -293,8 +293,8 @@ std::string Holder::holder_of(std::uint32_t node, const Point& direction,
   return nearest && nearest->said_at ? diagnostics.where(*nearest->said_at) : "the net plan";
 }
 
-/// Holds a node along the axes of an entry that are still free. An entry along a line or in a plane does not
-/// change the initial position.
+/// Holds a node along those axes of an entry that are still free. If these axes are along a line or normal to
+/// a plane, the initial position does not change.
 void Holder::put(std::uint32_t node, const HoldEntry& entry, const Point& at,
                  const std::shared_ptr<const Grip>& grip) {
   std::uint8_t& held = scene_.held[node];

@@ -17,10 +17,10 @@ struct HoldEntry {
   std::uint8_t axes = kAllAxes;
   // Axes of the hold if the key `along` or `plane` is used; nullopt for the axes of the world.
   std::optional<std::array<double, 9>> frame;
-  std::vector<std::array<double, 3>> at;  // points of a line on which the nodes are held; empty: nodes are
-                                          // held at their initial positions
-  Course course;                          // the motion of the nodes; empty: none
-  bool is_loose = false;                  // see Hold::is_loose
+  // Points of a line on which the nodes are held; empty: nodes are held at their initial positions.
+  std::vector<std::array<double, 3>> at;
+  Course course;          // the motion of the nodes; empty: none
+  bool is_loose = false;  // see Hold::is_loose
 };
 
 /// Reads one hold; errors go to the diagnostics of `table`.
@@ -33,9 +33,9 @@ class Holder {
  public:
   explicit Holder(Scene& scene);
 
-  /// Holds `nodes` of the scene, in the order of their set (an edge, for example). If an earlier entry
-  /// already holds a node along an axis, the reaction along this axis belongs to the earlier entry only. The
-  /// reactions of all entries thus add up to the total on the gear.
+  /// Holds `nodes` of the scene, which are in the order of their set (an edge, for example). If an earlier
+  /// entry already holds a node along an axis, the reaction along this axis belongs to the earlier entry
+  /// only, so that the reactions of all entries add up to the total on the gear.
   Hold hold(const HoldEntry& entry, const std::vector<std::uint32_t>& nodes, formats::TableReader& table);
 
  private:

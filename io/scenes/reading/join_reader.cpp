@@ -64,7 +64,7 @@ bool JoinReader::can_be_joined(const std::vector<Joiner::Ends>& sets, const std:
   return true;
 }
 
-/// The first element with two nodes that are merged by the first `number` joins.
+/// The first element that has two nodes which the first `number` joins merge.
 std::optional<Joiner::Collapse> JoinReader::find_collapse(std::size_t number) const {
   formats::hear_interruption();
   Joiner joiner(draft_.geometries);
@@ -73,7 +73,7 @@ std::optional<Joiner::Collapse> JoinReader::find_collapse(std::size_t number) co
   return joiner.find_collapse(nodes_per_element(draft_.types));
 }
 
-/// Reports the join that merges two nodes of an element as an error. Finds the first such join by bisection.
+/// Reports the first join that merges two nodes of an element, as an error. It is found by bisection.
 void JoinReader::check_joins(Joiner& joiner) const {
   if (joins_.empty() || !joiner.find_collapse(nodes_per_element(draft_.types))) return;
   std::size_t without = 0, with = joins_.size();
@@ -90,7 +90,7 @@ void JoinReader::check_joins(Joiner& joiner) const {
                      "join nodes that are not neighbours; with more cells there are nodes between them");
 }
 
-/// Numbers the nodes of the scene, and converts the elements of parts to these numbers.
+/// Numbers the nodes of the scene, and replaces the node numbers in the elements of parts by these numbers.
 void JoinReader::number(Joiner& joiner) {
   LoadedScene& out = draft_.out;
   joiner.number(out.scene);

@@ -6,7 +6,7 @@
 
 namespace netloft::scenes {
 
-/// Joins parts as `[[join]]`, mesh files and the net plan say, and numbers the nodes of the scene.
+/// Joins parts as `[[join]]`, mesh files and the net plan demand, and numbers the nodes of the scene.
 class JoinReader {
  public:
   JoinReader(formats::TableReader& root, Draft& draft, const MeshParts& meshes, const GearSteps& gear)
@@ -19,8 +19,7 @@ class JoinReader {
   struct Join {
     std::vector<Joiner::Ends> sets;
     Mention at;
-    bool together;  // true: all nodes become one node; false: the nodes i of all sets become one node, for
-                    // each i
+    bool together;  // true: all nodes of all sets become one; false: for each i, the nodes i of all sets do
     void make(Joiner& joiner) const { together ? joiner.gather(sets) : joiner.join(sets); }
   };
 

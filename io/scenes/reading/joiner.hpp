@@ -12,8 +12,8 @@
 
 namespace netloft::scenes {
 
-/// Makes the nodes of a scene from the nodes of its parts: joined nodes become one node at the position of
-/// the first.
+/// Makes the nodes of a scene from the nodes of its parts. Nodes that are joined become one node, at the
+/// position of the first of them.
 class Joiner {
  public:
   /// Some nodes of one part, by their numbers within the part ("own" numbers).
@@ -48,7 +48,7 @@ class Joiner {
         join({sets[0].part, sets[0].own[i]}, {sets[s].part, sets[s].own[i]});
   }
 
-  /// All nodes of all sets become one node at their mean position, for example if netting is gathered.
+  /// Merges all nodes of all sets into one node at their mean position, as when netting is gathered.
   void gather(const std::vector<Ends>& sets) {
     std::vector<std::uint32_t> nodes;
     for (const auto& set : sets)
@@ -59,7 +59,7 @@ class Joiner {
     gathered_.push_back(std::move(nodes));
   }
 
-  /// An element of which join() has merged two nodes, so that it has no size.
+  /// An element two of whose nodes are joined, so that it has no size.
   struct Collapse {
     std::size_t part, element;
   };
@@ -101,7 +101,7 @@ class Joiner {
     for (const auto& nodes : gathered_) place_in_the_middle(nodes, scene);
   }
 
-  /// The numbers that the nodes of a part have in the scene, in the order of their numbers within the part.
+  /// The numbers in the scene of all nodes of a part, in the order of their numbers within the part.
   std::vector<std::uint32_t> nodes(std::size_t part) const {
     const auto begin = number_.begin() + first_[part];
     return {begin, begin + static_cast<std::ptrdiff_t>(geometries_[part].node_count())};
@@ -113,7 +113,7 @@ class Joiner {
     return node;
   }
 
-  /// Whether joins have reduced an element to a point, a bar to zero length, or a triangle to a line. A
+  /// Whether joins have merged corners of an element, so that a bar has no length or a triangle no area. A
   /// triangle of gathered netting, two of whose corners are the same node, does not count.
   static bool is_collapsed(const std::vector<std::uint32_t>& corners,
                            const std::set<std::uint32_t>& gathered) {

@@ -8,8 +8,8 @@
 
 namespace netloft::scenes {
 
-/// Defaults of `[analysis]`: the solver (of an equilibrium, and of the steps of a motion); the strategy; and
-/// the strategy if the scene names only a solver.
+/// Defaults of `[analysis]`: the solver, for an equilibrium and for the steps of a motion; the strategy; and
+/// the strategy of a scene that names only a solver.
 inline constexpr const char *kSolver = "newton", *kStrategy = "auto", *kStrategyOfNamedSolver = "direct";
 
 /// The keys of `[analysis]`, except the tables of solvers and strategies.
@@ -42,7 +42,7 @@ struct TowKeys {
   double leeway = 0;  // [rad]
 };
 
-/// The value of `nodes` in `[gear]` with which every knot of the netting is a node.
+/// The value of the key `nodes` in `[gear]` that makes every knot of the netting a node.
 inline constexpr const char* kKnots = "knots";
 
 /// The keys of `[bed]`.
@@ -60,20 +60,21 @@ struct GearKeys {
   double size = 0;
 };
 
-/// The name of the contact elements as a kind of parts; a scene has such parts only if it has the table
+/// The kind of parts that are contact elements. A scene has such parts only if it has the table
 /// `[elements.contact]`.
 inline constexpr const char* kContact = "contact";
 
-/// A kind of parts of a net plan, such as ropes. The table `[elements.KIND]` of a scene chooses its elements.
-/// `key`: the table in the plan with the numbers of such a part; `type`: the default element type.
+/// A kind of parts of a net plan, such as ropes. The table `[elements.KIND]` of a scene selects their
+/// elements. `key` is the table in the plan with the numbers of such a part; `type` is the default element
+/// type.
 struct GearElements {
   const char *kind, *key, *type, *doc;
   std::uint32_t stencil;  // shape of its elements: on a node, a bar or a triangle
 };
 std::span<const GearElements> gear_elements();
 
-/// The keys of tables that the program itself reads from a scene, in the form in which plugins describe their
-/// keys. The reader, the checks, the command `describe` and the schema all use these lists.
+/// The keys of those tables of a scene that the program reads itself, described in the same form as the keys
+/// of plugins. The reader, the checks, the command `describe` and the schema all use these lists.
 std::span<const netloft_parameter> water_keys();
 std::span<const netloft_parameter> wave_keys();
 std::span<const netloft_parameter> tow_keys();

@@ -4,9 +4,9 @@
 
 namespace netloft::scenes {
 
-/// Parameters that the program recognises by their name in the elements of any plugin: their values are
-/// checked, drawn or scaled. Authors of plugins find this table in framework/guides/element.md; a test
-/// compares both tables.
+/// Parameters that the program recognises by name in the elements of any plugin, and whose values it checks,
+/// draws or scales. Authors of plugins find this table in framework/guides/element.md; a test compares the
+/// two.
 struct KnownParameter {
   const char *name, *use;
 };

@@ -33,13 +33,12 @@ struct PartGeometry {
   bool is_numbered = false;  // whether a hold, a join or an `on` names a node of this part by number
 };
 
-/// The nodes and axes of a `[[hold]]`, whose reaction is reported under its name.
+/// The nodes and axes of a `[[hold]]`. The reaction of the hold is reported under its name.
 struct Hold {
   std::string name;
   std::vector<std::uint32_t> nodes;  // numbers of nodes in the scene
   std::vector<std::uint8_t> axes;    // for each node, the axes whose reactions count for this hold
-  bool is_loose = false;  // whether the hold only keeps the gear from drifting, and bears nothing in
-                          // equilibrium
+  bool is_loose = false;             // whether the hold only prevents drift, and bears nothing in equilibrium
 };
 
 /// One line of `[results]`: a number that the scene requests, such as the lowest z of the net.
@@ -50,7 +49,7 @@ struct ResultRequest {
   std::string quantity;  // such as "z" or "tension"
   std::string unit, doc;
   Source source = Source::position;
-  // 0, 1, 2: x, y, z; 3: length of the vector. For an attitude 0: heading, 1: heel, 2: trim.
+  // 0, 1, 2: x, y, z; 3: length of the vector. For an attitude, 0: heading, 1: heel, 2: trim.
   int axis = 0;
   std::uint32_t body = 0;            // index in Scene::bodies, for attitudes
   std::vector<std::uint32_t> nodes;  // numbers of nodes in the scene
@@ -94,15 +93,15 @@ struct NettingSheet {
   std::string twine;                   // name in the catalogue; empty if the plan has numbers instead
   double twines = 1;                   // twines side by side: 2 in double netting
   std::string laid;                    // diamond, square, t90
-  double fore = 0, aft = 0, deep = 0;  // meshes of the whole edges, and from fore to aft over all pieces
+  double fore = 0, aft = 0, deep = 0;  // meshes along the whole edges; from fore to aft, over all pieces
   double pieces = 1;                   // pieces sewn mesh to mesh in a row
   // Cuttings from fore to aft, with the meshes that each goes aft: "1N2B in 40, AN 10". A panel in the middle
   // has the outer cuttings on both sides and no inner cuttings.
   std::string outer, inner;
 };
 
-/// The place of a panel on the drawing of its plan, in metres of stretched netting, y aft. The point (U, V)
-/// of the panel, in meshes, is at (x + U x_across + V x_deep, y + U y_across + V y_deep).
+/// The place of a panel on the drawing of its plan, in metres of stretched netting, with y aft. The point
+/// with the panel coordinates (U, V) [meshes] is at (x + U x_across + V x_deep, y + U y_across + V y_deep).
 struct SheetPlace {
   double x = 0, y = 0, x_across = 0, y_across = 0, x_deep = 0, y_deep = 0;
 };
@@ -155,7 +154,7 @@ struct LoadedScene {
   std::vector<formats::SourceFile> files;
   std::optional<GearInScene> gear;            // nullopt: the scene has no net plan
   std::map<std::string, Strength> strengths;  // strengths by part; parts of unknown strength are left out
-  mutable formats::NameIndex index_of_parts = {};  // an index that makes place_of fast
+  mutable formats::NameIndex index_of_parts = {};  // makes place_of() fast
 
   /// The place of a part in the file, for messages; line 0 if there is no such part.
   formats::Place place_of(const std::string& part) const {

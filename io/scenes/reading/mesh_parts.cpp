@@ -49,8 +49,8 @@ std::string names_of_regions(const formats::InputMesh& mesh, formats::RegionKind
   return names.empty() ? "it has no " + std::string(formats::name_of(kind)) : "there is: " + names;
 }
 
-/// The nodes of a region, which become the nodes of a part. Their numbers within the part ("own" numbers)
-/// follow the order of the mesh.
+/// The nodes of a region, which become the nodes of a part. Their numbers within the part ("own" numbers) are
+/// in the order of the mesh.
 struct OwnNodes {
   OwnNodes(const formats::InputMesh& mesh, const formats::MeshRegion& region)
       : nodes(region.nodes), own(mesh.node_count(), kNone) {
@@ -140,7 +140,7 @@ Geometry MeshParts::read(const ElementType& type, const std::string& name, std::
     return out;
   }
   const formats::InputMesh* mesh = find_mesh(table);
-  table.has("region");  // so that the key is known even if the mesh is missing
+  table.has("region");  // makes the key known even if the mesh is missing
   const formats::MeshRegion* region = mesh ? find_region(*mesh, kind_for(layout), name, table) : nullptr;
   const formats::MeshRegion none{kind_for(layout), name, {}, std::vector<double>(2)};
   if (region) {
@@ -171,7 +171,7 @@ const formats::InputMesh* MeshParts::find_mesh(formats::TableReader& table) {
   }
   const int file = diagnostics_.add_source(name, *text);
   const int errors_before = diagnostics_.errors();
-  const bool is_binary = text->find('\0') != std::string::npos;  // results store no binary files
+  const bool is_binary = text->find('\0') != std::string::npos;  // results cannot store binary files
   files_.push_back({name, is_binary ? "" : *text, formats::fnv1a64(*text)});
   auto mesh = std::make_unique<formats::InputMesh>(
       formats::is_hdf5(*text) ? formats::read_vtkhdf(folder_ / name, file, diagnostics_)

@@ -13,7 +13,7 @@ namespace netloft::scenes {
 /// The geometry keys of a part whose elements are a region of a mesh file.
 const std::vector<GeometryKey>& mesh_keys(Layout layout);
 
-/// Reads parts whose elements come from mesh files, and joins nodes that parts of one mesh have in common.
+/// Reads parts whose elements come from mesh files, and joins the nodes that parts on the same mesh share.
 class MeshParts {
  public:
   /// Names of files are relative to `folder`, the folder of the scene.

@@ -10,7 +10,7 @@ namespace netloft::scenes {
 namespace {
 
 // Least volume between a panel and the centre, as a fraction of the volume of a ball around the centre. If
-// the volume is smaller, it is not clear which side of the panel is the inside.
+// the volume is smaller, the inside of the panel is not known.
 constexpr double kLeastVolume = 1e-3;
 
 class Triangles {
@@ -21,7 +21,8 @@ class Triangles {
   }
 
   /// The sign of the volume between the centre and the triangles whose corners have the indices from `begin`
-  /// to `end`: 1 if their normals, weighted by area, point away from the centre, 0 if this is not clear.
+  /// to `end`: 1 if their normals, weighted by area, point away from the centre, -1 if they point towards it,
+  /// 0 if this is not clear.
   double sign_of_volume(std::size_t begin, std::size_t end) const {
     double volume = 0, most = 0;
     for (std::size_t i = begin; i < end; i += 3) {

@@ -7,8 +7,8 @@
 
 namespace netloft::scenes {
 
-/// A panel whose triangles a rider (a part on other parts) copies. `begin` is the index in the rider's nodes
-/// at which the panel's corners begin. `is_outward`: whether the corners of each triangle are known to be
+/// A panel whose triangles a rider (a part on other parts) copies. `begin` is the index among the rider's
+/// nodes of the first corner of the panel. `is_outward`: whether the corners of each triangle are known to be
 /// counter-clockwise seen from outside, as in panels of a net plan.
 struct PanelBelow {
   std::size_t begin = 0;
@@ -24,8 +24,8 @@ struct Outward {
 
 /// Finds for each triangle of `rider` whether its corners are counter-clockwise seen from outside (1) or not
 /// (-1). The inside of a panel is the side on which the centre of all triangles lies, no matter how the panel
-/// was drawn. If the plane of a panel contains this centre, its inside is unknown, and its triangles get 1.
-/// `positions`: initial positions of the nodes of the scene [m].
+/// was drawn. If this centre lies in the plane of a panel, the inside of the panel is unknown, and its
+/// triangles get 1. `positions` are the initial positions of the nodes of the scene [m].
 Outward find_outward(const std::vector<PanelBelow>& panels, const std::vector<double>& positions,
                      const Part& rider);
 

@@ -6,8 +6,8 @@
 namespace netloft::scenes {
 
 /// Reads a datum of elements that the host does not compute. The table of the part has one value under the
-/// name of the datum; all `elements` get it. If the value is missing and the name is similar to a datum that
-/// the host provides, the error suggests that datum.
+/// name of the datum, which all `elements` get. If the value is missing and the host computes a datum with a
+/// similar name, the error suggests this datum.
 void read_own_datum(const ElementType& type, const netloft_datum& datum, std::size_t elements,
                     formats::TableReader& table, ElementData& data);
 

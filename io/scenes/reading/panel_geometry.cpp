@@ -14,8 +14,8 @@ namespace netloft::scenes {
 
 namespace {
 
-// Limit of the elements of one part. So many elements have 3·10⁷ unknowns, three times as many as have ever
-// been solved; a matrix may have 10⁸.
+// Limit of the elements of one part. So many elements have 3·10⁷ unknowns, three times as many as the largest
+// solved scene; a matrix may have 10⁸ unknowns.
 constexpr std::int64_t kMostElements = 20000000;
 
 /// Rows and columns of a structured panel.
@@ -43,7 +43,7 @@ void name_edges(const Grid& g, PartGeometry& names) {
   names.sets["aft-right"] = {g.node(g.across, g.along)};
 }
 
-/// The initial surface of a panel: its point at the fractions s across and t along the panel.
+/// The initial surface of a panel, as a function of the fractions s across and t along the panel.
 using SurfacePoint = std::function<Point(double s, double t)>;
 
 /// The bilinear surface through the four corners.
@@ -111,8 +111,8 @@ struct Panel {
   SurfacePoint surface;
 };
 
-/// Reads the keys of a panel. `elements`: number of elements in a cell; `kind`: their name in messages.
-/// Returns nullopt after an error.
+/// Reads the keys of a panel. `elements` is the number of elements in a cell; `kind` is what messages call
+/// them. Returns nullopt after an error.
 std::optional<Panel> read_panel_keys(formats::TableReader& part, const GeometryKey& key,
                                      std::int64_t elements, const char* kind) {
   formats::TableReader panel =
@@ -131,14 +131,14 @@ std::optional<Panel> read_panel_keys(formats::TableReader& part, const GeometryK
       across, along, bar, {static_cast<std::size_t>(cells[0]), static_cast<std::size_t>(cells[1])}, *surface};
 }
 
-/// The length of a cell over its width, both in meshes. If the result is 1, bars from a corner to the centre
+/// The length of a cell divided by its width, both in meshes. If it is 1, bars from a corner to the centre
 /// run along the twines.
 double slant(const Panel& p, double across, double along) { return p.along * across / (p.across * along); }
 
 bool is_square(double slant) { return std::abs(slant - 1) < 1e-9; }
 
-/// The numbers of cells across and along, such as "[36, 36]", that are nearest to those of the panel and make
-/// cells square in meshes; empty if there are none.
+/// The numbers of cells across and along, such as "[36, 36]", that make cells square in meshes and are
+/// nearest to the given numbers; empty if there are none.
 std::string nearest_square_cells(const Panel& p) {
   double best = std::numeric_limits<double>::infinity();
   std::string cells;
@@ -183,8 +183,8 @@ void place_centres(const Panel& p, Geometry& out) {
 /// Nodes of a triangle, counter-clockwise seen from outside.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Cell (i, j) of a panel: its corners counter-clockwise seen from outside, beginning with the fore left one,
-/// and the number of the node at its centre, which only crossed cells have.
+/// Cell (i, j) of a panel: its corners, counter-clockwise seen from outside from the fore left one on, and
+/// the number of the node at its centre, which only crossed cells have.
 struct Cell {
   Cell(const Grid& g, std::size_t i, std::size_t j)
       : corners{g.node(i, j), g.node(i + 1, j), g.node(i + 1, j + 1), g.node(i, j + 1)},

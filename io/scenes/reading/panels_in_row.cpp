@@ -30,16 +30,15 @@ class PanelsInRow {
   }
 
   /// The number of meshes behind the aft edge of a panel, averaged over the nodes of the edge. The panels
-  /// behind this panel are computed first. A list of waiting panels replaces recursive calls, because a row
-  /// of panels may be very long.
+  /// behind this one are computed first. A list of waiting panels replaces recursion, because a row of panels
+  /// may be very long.
   double behind(std::size_t panel) {
     std::vector<std::size_t> to_count{panel};
     while (!to_count.empty()) {
       const std::size_t now = to_count.back();
       const std::size_t waiting = to_count.size();
       if (panels_[now].state == State::uncounted) {
-        panels_[now].state =
-            State::waits;  // a panel in a ring of panels waits for itself, and has no meshes behind it
+        panels_[now].state = State::waits;  // a panel in a ring waits for itself: no meshes are behind it
         for (const auto node : panels_[now].aft_edge) add_those_behind(node, now, to_count);
       }
       if (to_count.size() > waiting) continue;
@@ -72,7 +71,7 @@ class PanelsInRow {
     p.state = State::counted;
   }
 
-  /// The largest number of meshes behind a node, in the panels other than `panel` that continue there.
+  /// The largest number of meshes behind a node, over all panels except `panel` that continue from this node.
   double most_behind(std::uint32_t node, std::size_t panel) const {
     double most = 0;
     for (const auto& [other, meshes] : seams_.at(node))
@@ -81,7 +80,8 @@ class PanelsInRow {
   }
 
   std::vector<Panel> panels_;
-  // For each node and each of its panels: the number of meshes from the node to the aft edge of the panel.
+  // For each node and each panel that has it: the number of meshes from the node to the aft edge of the
+  // panel.
   std::map<std::uint32_t, std::map<std::size_t, double>> seams_;
 };
 

@@ -8,8 +8,8 @@
 namespace netloft::scenes {
 
 /// Corrects the datum to_aft, the number of meshes from a corner to the aft end, for netting that is cut into
-/// several panels one behind another. If the aft edge of a panel is sewn to panels of the same part, the
-/// meshes behind this edge, averaged over its nodes, are added to the panel's to_aft.
+/// several panels one behind the other. If the aft edge of a panel is sewn to panels of the same part, its
+/// to_aft is increased by the number of meshes behind this edge, averaged over the nodes of the edge.
 void count_meshes_through_seams(const std::vector<PanelBelow>& panels, Part& rider);
 
 }  // namespace netloft::scenes

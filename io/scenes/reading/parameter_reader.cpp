@@ -44,8 +44,8 @@ std::string pair_text(const netloft_parameter& p, double first, double second) {
          " = " + formats::format(second, p.column_units[1]);
 }
 
-/// Reads a table with one row for every pair of values of its two arguments, and sorts the rows, which may be
-/// in any order.
+/// Reads a table with one row for every pair of values of its two arguments. The rows may be in any order;
+/// they are sorted.
 Samples read_grid(const netloft_parameter& p, formats::TableReader table) {
   const int errors_before = table.diagnostics().errors();
   Samples rows = read_rows(p, table);
@@ -100,7 +100,7 @@ netloft::Value read_value(const netloft_parameter& p, formats::TableReader& from
   }
 }
 
-/// Whether a group of parameters, "group.…", has a required one.
+/// Whether a group of parameters (those named "group.…") has a required parameter.
 bool group_is_required(std::span<const netloft_parameter> table, const std::string& group) {
   for (const auto& p : table)
     if (std::string_view(p.name).starts_with(group + ".") && (p.flags & NETLOFT_REQUIRED)) return true;

@@ -8,8 +8,8 @@
 
 namespace netloft::scenes {
 
-/// Finds nodes of a part by the name of a set or by "node-17", and sets `own` to their numbers within the
-/// part. Returns false if there are none.
+/// Finds nodes of a part by the name of a set or by a name such as "node-17", and sets `own` to their numbers
+/// within the part. Returns false if there are none.
 bool find_own_nodes(const PartGeometry& part, std::size_t count, const std::string& name,
                     std::vector<std::uint32_t>& own);
 

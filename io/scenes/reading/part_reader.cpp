@@ -108,7 +108,7 @@ void PartReader::read_part(const std::string& name, formats::TableReader& table,
     geometry = place ? read_body(table, place) : read_geometry(*type, name, table);
     read_extra_data(*type, geometry, table);
   } else {
-    // If the type is unknown, it is also unknown which keys are allowed.
+    // The allowed keys depend on the type. If it is unknown, all keys are allowed.
     for (const auto& key : table.keys()) table.raw(key);
   }
   geometry.names.name = name;
@@ -149,7 +149,7 @@ Geometry PartReader::read_geometry(const ElementType& type, const std::string& n
   }
 }
 
-/// Reads data of elements that the geometry does not determine: one value for all elements of the part.
+/// Reads data of elements that do not follow from the geometry: one value for all elements of the part.
 void PartReader::read_extra_data(const ElementType& type, Geometry& geometry, formats::TableReader& table) {
   const std::size_t elements = geometry.elements.size() / static_cast<std::size_t>(type.nodes());
   for (const auto& datum : type.data)

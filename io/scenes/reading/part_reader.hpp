@@ -25,8 +25,9 @@ class PartReader {
   /// Reads `[bodies]`. A rigid body is a part with one element of its `type`; elements of other parts may be
   /// on its points.
   void read_bodies();
-  /// Reads a body of the net plan. For a body of a pair, `name` includes the side ("port-door"),
-  /// `name_in_plan` does not ("door"). Returns the index of its part, which is not sound after an error.
+  /// Reads a body of the net plan. For a body of a pair, `name` includes the side ("port-door"), and
+  /// `name_in_plan` does not ("door"). Returns the index of the part of the body; after an error, this part
+  /// is not sound.
   std::size_t read_body_of_plan(const std::string& name, const std::string& name_in_plan,
                                 const BodyOfPlan* place);
   /// The names and tables of riders.

@@ -10,15 +10,15 @@ namespace netloft::scenes {
 
 // The contact of ropes and bodies of a net plan with the bed, and the tables that describe it.
 
-/// The row of gear_elements() for contact with the bed.
+/// The entry of gear_elements() for contact with the bed.
 const GearElements& contact_elements();
 
-/// The table `[elements.NAME]` without its keys about contact. `said` is a table.
+/// The table `[elements.NAME]` without its keys for contact. `said` must be a table.
 formats::Value without_contact(formats::Value said);
-/// The table `[elements.NAME]` with only its keys about contact.
+/// The table `[elements.NAME]` with only its keys for contact.
 formats::Value only_contact(formats::Value said);
 
-/// Whether a rope lies on the bed when the gear is towed over it. This follows from its role in the plan.
+/// Whether a rope lies on the bed while the gear is towed, according to the role of the rope in the plan.
 bool rests_on_bed(const gears::Rope& rope);
 
 /// The points on which a body rests: "door.toe" and "door.heel", if the body has them.

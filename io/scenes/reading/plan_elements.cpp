@@ -42,8 +42,8 @@ PlanElements::PlanElements(const gears::NetPlan& plan, const gears::Gear& gear,
   read_exceptions(elements, gear);
 }
 
-/// Whether `[elements.NAME]` may have keys about contact: NAME is a rope or a body that rests on the bed, or
-/// "contact" itself.
+/// Whether `[elements.NAME]` may have keys for contact: NAME is a rope or a body that rests on the bed, or
+/// the word "contact".
 bool PlanElements::touches_bed(const std::string& name) const {
   if (!contact_) return false;
   const gears::Rope* rope = plan_.find_rope(name);
@@ -121,8 +121,7 @@ bool PlanElements::read_part(std::string_view kind, const std::string& path, for
     return read_table(input, diagnostics_.without_messages());
   });
   if (!read->is_sound)
-    memory_.parts.erase(part.name);  // not stored, because the error may be that of a
-                                     // plugin, which may be fixed later
+    memory_.parts.erase(part.name);  // not stored: the cause may be a plugin, which may be fixed later
   diagnostics_.take_messages(read->messages);
   part.type = read->part.type;
   part.parameters = read->part.parameters;

@@ -31,7 +31,7 @@ class PlanElements {
 
   /// Whether the scene has `[elements.contact]`, which lets parts that touch the bed rest on it.
   bool has_contact() const { return contact_.has_value(); }
-  /// A table like those in `[parts]` for the contact part that keeps a rope or a body of the plan on the bed.
+  /// A contact part that keeps a rope or a body of the plan on the bed, as a table like those in `[parts]`.
   /// Its elements are at the points `on`.
   formats::Value contact_of(const std::string& name, std::vector<std::string> on, formats::Place place) const;
 
@@ -46,7 +46,7 @@ class PlanElements {
   Made read_elements(formats::TableReader& elements, const GearElements& of) const;
   void read_exceptions(formats::TableReader& elements, const gears::Gear& gear);
   bool touches_bed(const std::string& name) const;
-  /// Reads the parameters of a part. `said` gives the sources of the scene, and has no messages yet.
+  /// Reads the parameters of a part. `said` has the sources of the scene, but no messages yet.
   std::shared_ptr<const PartTableRead> read_table(const PartTable& input, formats::Diagnostics said) const;
   const Made& made(std::string_view kind) const;
 
@@ -56,8 +56,8 @@ class PlanElements {
   formats::Diagnostics& diagnostics_;
   std::vector<Made> made_;
   std::optional<formats::Value> contact_;  // `[elements.contact]`, a table
-  // The tables `[elements.NAME]` by part of the gear. The second map has the tables for which NAME is the
-  // name of a pair.
+  // The tables `[elements.NAME]` by name. The first map has those for parts of the gear, the second one those
+  // for which NAME is a pair.
   std::map<std::string, formats::Value> exceptions_, exceptions_of_pairs_;
 };
 

@@ -26,12 +26,12 @@ constexpr double kLeastGravity = 9.75, kMostGravity = 10;  // [m/s2]
 // A slope of 1 is 45 degrees. The slopes of the continents have 3 to 6 degrees, walls of canyons up to 45
 // degrees.
 constexpr double kSteepestBed = 1;  // [1]
-// 10 m/s are 20 kn. Gears are towed at up to 6 kn; at higher speeds drag breaks them.
+// A speed of 10 m/s is 20 kn. Gears are towed at up to 6 kn; at higher speeds drag breaks them.
 constexpr double kFastestTow = 10;  // [m/s]
-// 20 m/s are 39 kn. A ship in a heavy sea moves its blocks by less than 5 m/s.
+// A speed of 20 m/s is 39 kn. A ship in a heavy sea moves its blocks by less than 5 m/s.
 constexpr double kFastestHold = 20;  // [m/s]
-// A residual of 1 % of the largest load changes results by more than the differences between gears that
-// people compare.
+// A residual of 1 % of the largest load changes results by more than the differences between the gears that
+// users compare.
 constexpr double kCoarsestTolerance = 0.01;  // [1]
 
 void check_water(const LoadedScene& loaded, formats::TableReader& root) {

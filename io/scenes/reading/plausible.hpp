@@ -6,8 +6,8 @@
 namespace netloft::scenes {
 
 /// Warns of numbers that are valid but probably a mistake, such as a density in another unit. `root` is the
-/// table of the scene. plausible.cpp has the limits for the surroundings of a gear, plausible_parts.cpp those
-/// for its parts, both with reasons.
+/// table of the scene. The limits and their reasons are in plausible.cpp for the surroundings of a gear, in
+/// plausible_parts.cpp for its parts.
 void check_plausible(const LoadedScene& loaded, formats::TableReader& root);
 
 /// Warns of a hold that moves faster than any ship or winch; `key` is the key of its course.

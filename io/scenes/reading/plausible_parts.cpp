@@ -15,7 +15,7 @@ namespace netloft::scenes {
 namespace {
 
 // Osmium is the densest element (CRC Handbook of Chemistry and Physics, 97th edition, section 4). A density
-// below 23 may be in t/m3.
+// in t/m3 is below 23.
 constexpr double kDensestElement = 22590, kSteel = 7850;  // [kg/m3]
 // A chain is modelled as a cylinder with the diameter of the wire of its links. Chains of the library
 // therefore have 25 000 to 28 000 kg/m3, and footropes with rollers or chain loops up to 30 000 kg/m3.
@@ -28,18 +28,18 @@ constexpr double kLightestMaterial = 100;  // [kg/m3]
 constexpr double kThickestRope = 1;  // [m]
 // Tolerance for the buoyancy of floats: catalogues round buoyancy, volume and mass by about 5 % each.
 constexpr double kRoundingOfFloats = 0.2;  // fraction of the weight of the displaced water [1]
-// Volume of a float over that of a sphere of its diameter: 1 in the library, 20 for a round bar that is 13
-// diameters long. Litres that are read as m3 give a thousand times too much.
+// Volume of a float, divided by that of a sphere of its diameter: 1 in the library, 20 for a round bar that
+// is 13 diameters long. If litres are read as m3, the quotient is a thousand times too large.
 constexpr double kLongestFloat = 20;  // [1]
-// Buoyancy of a float over the weight of the water that a sphere of its diameter displaces: 0.56 to 0.63 in
-// the library. A number in kgf that is read as N gives a tenth of that.
+// Buoyancy of a float, divided by the weight of the water that a sphere of its diameter displaces: 0.56 to
+// 0.63 in the library. If kgf are read as N, the quotient is a tenth of that.
 constexpr double kWeakestFloat = 0.1;  // [1]
 
-// Mass of a float over its volume. The largest inflated buoys have 20 kg/m3, floats of a net 200 to 500;
-// litres that are read as m3 give a thousandth of that.
+// Mass of a float, divided by its volume. The largest inflated buoys have 20 kg/m3, floats of a net 200 to
+// 500; if litres are read as m3, the quotient is a thousandth of that.
 constexpr double kLightestFloat = 5;  // [kg/m3]
-// Length of a warp over its length at the start. The longest warps are paid out from a drum to a few times
-// the length at which a motion begins; per cent that are read as a fraction give a hundred times too much.
+// Length of a warp, divided by its length at the start. The longest warps are paid out from a drum to a few
+// times their initial length; if per cent are read as a fraction, the quotient is a hundred times too large.
 constexpr double kMostShare = 10;  // [1]
 
 /// The checks of one part.
@@ -115,8 +115,8 @@ class PartCheck {
     diagnostics_.warning(place_, part_.name + ": " + message, hint);
   }
 
-  /// Warns of a float whose given buoyancy does not fit its volume and mass. The given buoyancy is used;
-  /// volume and mass then only affect inertia. If there is no mass, any buoyancy up to the weight of the
+  /// Warns of a float whose given buoyancy does not fit its volume and mass. In any case the given buoyancy
+  /// is used; volume and mass then only affect inertia. Without a mass, any buoyancy up to the weight of the
   /// displaced water fits.
   void check_buoyancy_of_float() {
     const double given = number(parameter::kFloatBuoyancy), volume = number(parameter::kFloatVolume),

@@ -65,8 +65,8 @@ Point placed(const Point& origin, const Point& rotation, const Point& r) {
   return point_of(vector_of(origin) + rotated(vector_of(rotation), vector_of(r)));
 }
 
-/// The side of a body: 1 to starboard, -1 to port. For a body of a pair the plan decides, and its table must
-/// not state a side.
+/// The side of a body: 1 to starboard, -1 to port. For a body of a pair, the plan gives the side, and the
+/// table of the body must not state one.
 double read_side(formats::TableReader& table, const BodyOfPlan* plan) {
   if (!plan || table.has(kSide.name)) {
     const double said = read_word(table, kSide) == "port" ? -1 : 1;
@@ -117,8 +117,8 @@ std::string shown(const RigidBody& body, std::size_t point, const BodyGeometry& 
   return formats::in_quotes(body.name + "." + geometry.names[point]);
 }
 
-/// Reports an error if a point of the body also belongs to another body or is its origin, because this would
-/// couple the rotations of both.
+/// Reports an error if a point of the body also belongs to another body or is the origin of one, because the
+/// point would couple the rotations of both bodies.
 void check_alone(const Draft& draft, const RigidBody& body, const BodyGeometry& geometry,
                  const std::map<std::uint32_t, std::size_t>& origins, formats::Place place,
                  formats::Diagnostics& diagnostics) {
@@ -148,7 +148,7 @@ void check_alone(const Draft& draft, const RigidBody& body, const BodyGeometry& 
 
 void add_bodies(Draft& draft, formats::Diagnostics& diagnostics) {
   Scene& scene = draft.out.scene;
-  std::map<std::uint32_t, std::size_t> origins;  // for the origin of each body so far: the index of the body
+  std::map<std::uint32_t, std::size_t> origins;  // origins of the bodies so far, with the index of the body
   for (std::size_t p = 0; p < draft.geometries.size(); ++p) {
     if (!draft.geometries[p].body) continue;
     const BodyGeometry& geometry = *draft.geometries[p].body;

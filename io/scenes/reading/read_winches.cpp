@@ -9,8 +9,8 @@ namespace netloft::scenes {
 
 namespace {
 
-/// The rope of the plan that has a given tension or a winch program; nullptr if there is none. The plan has
-/// one rope for all warps.
+/// The rope of the plan that has a given tension or a winch program; nullptr if there is none. All warps are
+/// one rope in the plan.
 const gears::Rope* find_warp(const gears::NetPlan& plan) {
   const auto is_run = [](const gears::Rope& rope) { return rope.tension || !rope.winch.empty(); };
   const auto warp = std::ranges::find_if(plan.ropes, is_run);
@@ -61,8 +61,7 @@ void ready_winches(const gears::NetPlan& plan, Registry& registry, LoadedScene& 
                         "elements.ropes.type = \"rope/bar\"");
       return;
     }
-    part->parameters[winch.parameter] = Samples{{0, 1}, {1, 1}};  // the motion sets these factors in every
-                                                                  // step
+    part->parameters[winch.parameter] = Samples{{0, 1}, {1, 1}};  // the motion sets the factors in every step
   }
 }
 

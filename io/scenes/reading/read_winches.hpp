@@ -7,7 +7,7 @@
 namespace netloft::scenes {
 
 /// Checks that the analysis can find or change the lengths of warps on winches, and that the elements of
-/// these ropes allow it. In a motion, gives each of the ropes a table of length factors over time; for a
+/// these warps allow it. In a motion, gives each of these warps a table of length factors over time; for a
 /// static analysis, removes the winches.
 void ready_winches(const gears::NetPlan& plan, Registry& registry, LoadedScene& out,
                    formats::Diagnostics& diagnostics);

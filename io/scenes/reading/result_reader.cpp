@@ -37,7 +37,7 @@ void ResultReader::read_result(const std::string& name, formats::TableReader& en
   request.part = static_cast<std::uint32_t>(set->part);
   request.nodes = draft_.scene_nodes(*set);
   if (draft_.geometries[set->part].body && request.of.find('.') == std::string::npos) {
-    request.nodes.resize(1);  // the name of a body stands for its origin
+    request.nodes.resize(1);  // the name of a body means its origin
     request.body = static_cast<std::uint32_t>(out_.scene.body_at(request.nodes[0]).value_or(0));
   }
   drop_repeats(request.nodes);  // a part that is joined to itself has some nodes twice

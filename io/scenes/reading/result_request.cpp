@@ -43,8 +43,8 @@ const NodeQuantity kAngles[] = {
     {"trim", "rad", "angle by which the nose is up", Source::attitude, 2},
 };
 
-/// Splits "max reaction z" into how ("max") and quantity ("reaction z"); `how` is empty if the text has no
-/// such word.
+/// Splits "max reaction z" into `how` ("max") and `quantity` ("reaction z"); `how` is empty if the text has
+/// no such word.
 void split_take(ResultRequest& request) {
   const auto space = request.take.find(' ');
   const std::string first = request.take.substr(0, space);
@@ -93,8 +93,8 @@ bool has_name(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// A hint for a wrong `take`: a word such as "minimum z", a quantity of elements such as "tension" for an
-/// edge, or a misspelt name such as "min heigth".
+/// A hint for a wrong `take`: for a word such as "minimum z", for a quantity of elements such as "tension" of
+/// an edge, or for a misspelt name such as "min heigth".
 std::string take_hint(const ResultRequest& request, const ElementType& type, bool whole) {
   const auto names = quantity_names(whole ? &type : nullptr);
   if (has_name(quantity_names(&type), request.quantity))

@@ -20,7 +20,8 @@ bool rests_on_bed(const ElementType& type) {
          });
 }
 
-/// Removes parameters that only the companions of a part have; the companions have copies of them.
+/// Removes the parameters that only the companions of a part read; the companions have copies of these
+/// parameters.
 void keep_own_parameters(Part& part, const ElementType& type) {
   std::erase_if(part.parameters, [&](const auto& given) {
     return std::none_of(type.parameters.begin(), type.parameters.end(),

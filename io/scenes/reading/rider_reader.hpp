@@ -7,9 +7,9 @@
 
 namespace netloft::scenes {
 
-/// Makes the riders of a scene, parts without nodes whose elements are on the nodes or elements of other
-/// parts. There are three kinds of riders: parts with a table of their own, the contact parts of a net plan,
-/// and companions, which an element type adds to its parts. Nodes must be numbered.
+/// Makes the riders of a scene: parts without nodes of their own, whose elements are on the nodes or elements
+/// of other parts. There are three kinds of riders: parts with a table of their own, the contact parts of a
+/// net plan, and companions, which an element type adds to its parts. Nodes must be numbered.
 class RiderReader {
  public:
   RiderReader(formats::TableReader& root, const ElementChoice& elements, Draft& draft, const GearSteps& gear)
@@ -21,15 +21,14 @@ class RiderReader {
         gear_(gear) {}
 
   void read(const std::string& name, formats::TableReader& table);
-  /// Reads the table of a rider, except for the nodes and elements on which it is.
+  /// Reads and checks those keys of a rider's table that need no mesh.
   void read_undivided(const std::string& name, formats::TableReader& table);
   /// Makes the contact parts that keep a gear of a net plan on the bed.
   void read_contacts();
-  /// Reads `[elements.contact]` without the nodes of the contact parts.
+  /// Reads and checks those keys of `[elements.contact]` that need no mesh.
   void read_contacts_undivided();
   void add_companions();
-  /// The element types of the companions, in the order of the companions, which are the last parts of the
-  /// scene.
+  /// The element types of the companions. Companions are the last parts of the scene, in this order.
   const std::vector<const ElementType*>& companions() const { return companions_; }
 
  private:

@@ -9,8 +9,8 @@ namespace netloft::scenes {
 
 namespace {
 
-/// The length of twine in a triangle, counting both twine directions: |d| bars of length `bar`, where d is
-/// twice the area of the triangle in twine coordinates.
+/// The length of twine in a triangle, for both twine directions together: |d| bars of length `bar`, where d
+/// is twice the area of the triangle in twine coordinates.
 double twine_length(const std::vector<double>& u, const std::vector<double>& v, double bar, std::size_t e) {
   const double d = (u[3 * e + 1] - u[3 * e]) * (v[3 * e + 2] - v[3 * e]) -
                    (u[3 * e + 2] - u[3 * e]) * (v[3 * e + 1] - v[3 * e]);
@@ -75,8 +75,8 @@ void ride_on_meeting_bars(const Scene& scene, std::size_t first, std::size_t sec
                           const NodeElements& elements, Part& rider) {
   const Part &one = scene.parts[first], &other = scene.parts[second];
   for (std::size_t a = 0; 2 * a < one.nodes.size(); ++a) {
-    std::set<std::array<std::size_t, 3>> meetings;  // for each meeting of two bars: bar b, and the ends of a
-                                                    // and b at the shared node
+    // For each meeting of two bars: bar b, and the ends of a and b at the shared node.
+    std::set<std::array<std::size_t, 3>> meetings;
     for (const std::size_t end : {0u, 1u})
       for (const auto& [part, b] : elements.at(one.nodes[2 * a + end], second))
         for (const std::size_t begin : {0u, 1u})

@@ -14,7 +14,7 @@ namespace netloft::scenes {
 
 namespace {
 
-/// Reports parameters along y, whose names end in "_y", as errors if they are not zero.
+/// Reports parameters with a direction along y, whose names end in "_y", as errors if they are not zero.
 void check_symmetric_parameters(const Draft& draft, const std::string& cure,
                                 formats::Diagnostics& diagnostics) {
   const LoadedScene& out = draft.out;
@@ -32,8 +32,8 @@ void check_symmetric_parameters(const Draft& draft, const std::string& cure,
   }
 }
 
-/// Reports half a gear that is beyond its plane of symmetry at the start, and boards that have crossed. This
-/// is an error if a node beyond the plane is held. Otherwise it is a warning, because free nodes can return.
+/// Reports half a gear that is initially beyond its plane of symmetry, and boards that have crossed. This is
+/// an error if a node beyond the plane is held; otherwise it is a warning, because free nodes can return.
 void check_crossings(const LoadedScene& out, formats::Diagnostics& diagnostics) {
   for (const auto& crossing : find_crossings(out, out.scene.positions)) {
     const formats::Place place = out.parts[crossing.part].place;
@@ -52,9 +52,9 @@ void check_held(const LoadedScene& out, const std::vector<const ElementType*>& t
     diagnostics.error(out.place_of(fault.part), fault.message);
 }
 
-/// Warns of friction that does not suit the ground. Friction that acts only if the ground moves past the gear
-/// gets a warning if the ground is at rest. Friction that sticks to ground at rest gets a warning if water
-/// flows past and the scene says nothing about a tow, because the gear is then probably towed.
+/// Warns of friction that does not suit the ground: friction that acts only on moving ground, if the ground
+/// is at rest; and friction that sticks to ground at rest, if water flows past and the scene says nothing
+/// about a tow, because the gear is then probably towed.
 void check_ground(const Draft& draft, bool says_tow, formats::Diagnostics& diagnostics) {
   const LoadedScene& out = draft.out;
   for (std::size_t p = 0; p < draft.types.size(); ++p) {

@@ -5,7 +5,7 @@
 
 namespace netloft::scenes {
 
-/// Reports half a gear as an error if something in the scene differs between port and starboard.
+/// Reports an error if the scene has half a gear and differs between port and starboard.
 void check_symmetry(formats::TableReader& root, const Draft& draft, const WaterReader& water);
 
 /// Warns of implausible numbers in a scene that was read without errors: in its water, its tow and its parts.

@@ -27,7 +27,7 @@ namespace netloft::scenes {
 
 namespace {
 
-/// Refuses the tables of net plans in a scene that has none.
+/// Reports an error for tables of net plans in a scene that has no net plan.
 void refuse_tables_of_plans(formats::TableReader& root) {
   constexpr std::pair<const char*, const char*> kTables[] = {
       {"gear", "cells of a part says how fine it is"},
@@ -141,7 +141,7 @@ class SceneReader {
   HoldReader holds_{root_, draft_, *gear_};
 };
 
-/// All inputs of a net plan: its tables and the catalogue, which never changes.
+/// All inputs of a net plan: its tables, and the catalogue, which stays the same.
 struct PlanInput {
   formats::Value tables;
   std::shared_ptr<const gears::Catalogue> catalogue;
@@ -155,7 +155,7 @@ struct PlanRead {
   std::vector<formats::Diagnostic> messages;
 };
 
-/// Reads and checks a plan. `memory` belongs to the catalogue of the plan. `said` has the sources of the
+/// Reads and checks a plan. `memory` is the one for the catalogue of the plan. `said` has the sources of the
 /// scene, for places in messages, but no messages yet.
 std::shared_ptr<const PlanRead> read_and_check(const PlanInput& input, gears::PlanMemory& memory,
                                                formats::Diagnostics said) {
@@ -255,8 +255,8 @@ class SceneSource::Memory {
     return is_there ? read_plan({std::move(tables), catalogue.load(), trials}, diagnostics) : nullptr;
   }
 
-  /// Reads the plan, or returns the stored one for an equal input. After an error in the scene, the plan is
-  /// only read to report its own errors, and is not stored.
+  /// Reads the plan, or returns the stored one for an equal input. If the scene has errors, the plan is read
+  /// only to report its own errors, and is not stored.
   std::shared_ptr<const PlanRead> read_plan(PlanInput input, formats::Diagnostics& diagnostics) {
     if (diagnostics.errors())
       return std::make_shared<PlanRead>(

@@ -8,12 +8,12 @@
 
 namespace netloft::scenes {
 
-/// A scene file that is read once and instantiated many times, each time with other changes.
+/// A scene file that is read once and instantiated many times, each time with different changes.
 ///
 /// The file and those it includes are read at the first instance. Intermediate results of an instance
 /// (catalogue, net plan, division of the gear, initial shape, parameters of parts) are stored with their
-/// inputs, and reused if the inputs are equal. An instance has the same bits whether or not there were other
-/// instances before it. Copies share the stored data. A registry given to instance() has to outlive them. Not
+/// inputs, and reused if the inputs are equal. The bits of an instance do not depend on earlier instances.
+/// Copies of this object share the stored data. A registry given to instance() has to outlive all copies. Not
 /// safe for several threads.
 class SceneSource {
  public:
@@ -21,8 +21,8 @@ class SceneSource {
 
   const std::filesystem::path& file() const;
 
-  /// The same scene, but with these texts instead of files; names are those in LoadedScene::files. Other
-  /// files are opened. Both scenes share stored results.
+  /// The same scene, but with these texts instead of files; the texts have the names in LoadedScene::files.
+  /// Files without a text are opened. Both scenes share stored results.
   SceneSource with_texts(std::filesystem::path file, formats::StoredTexts texts) const;
 
   /// The tables of the file and of the files that it includes, with `changes` applied. Names of catalogue
@@ -32,7 +32,7 @@ class SceneSource {
   /// The scene with `changes` applied in their order. All errors go to the diagnostics with their place in a
   /// file or the change that caused them; use the result only if there are no errors. Opens the plugins that
   /// the scene names; sets `refused` if one of them is missing or was rejected.
-  /// `like`: the division of another instance (GearInScene::division), whose mesh topology is used, so that
+  /// `like` is the division of another instance (GearInScene::division), whose mesh topology is used, so that
   /// the mesh is a smooth function of the numbers of the net plan; nullptr: the gear is divided anew.
   LoadedScene instance(const std::vector<formats::Change>& changes, Registry& registry,
                        formats::Diagnostics& diagnostics, bool& refused,

@@ -8,8 +8,8 @@ namespace netloft::scenes {
 
 namespace {
 
-/// Largest turn of a ship between two points of its course. The cubic between these points deviates from an
-/// arc by 2e-8 of the radius.
+/// Largest turn of a ship between two points of its course. With this turn, the cubic between the points
+/// deviates from an arc by 2e-8 of the radius.
 constexpr double kArc = 0.05;  // [rad]
 
 gears::ShipMoment between(const gears::ShipMoment& a, const gears::ShipMoment& b, double s) {
@@ -25,8 +25,9 @@ double rate_of_turn(const gears::ShipMoment& a, const gears::ShipMoment& b) {
 }
 
 /// The rate of turn at a moment where it jumps: the smaller of the rates before and after, or zero if their
-/// signs differ. The velocity of a block also jumps there, but a course has only one velocity at a time. The
-/// resulting error is on the side with the faster turn, where the points of the course are close together.
+/// signs differ. The velocity of a block also jumps at this moment, but a course has only one velocity at a
+/// time. The resulting error is on the side of the faster turn, where the points of the course are close
+/// together.
 double at_corner(double before, double after) {
   if (before * after <= 0) return 0;
   return std::abs(before) < std::abs(after) ? before : after;

@@ -5,7 +5,7 @@
 
 namespace netloft::scenes {
 
-/// The displacement over time of a block, at which a warp ends. `from_the_middle` is its distance to
+/// The displacement over time of a block, at which a warp begins. `from_the_middle` is its distance to
 /// starboard from the middle of the ship, or of the pair of ships [m]. The displacement is measured in a
 /// frame that moves steadily with the initial velocity of the ship: towards -x with the speed V₀. V is the
 /// speed over the ground, ψ the heading, positive to starboard:

@@ -110,7 +110,7 @@ class RiderMaker {
   }
 
   /// Makes an element on the origin of a body. If the element type has the datum `arm` (the position of a
-  /// point on the body), the element may be on a named point instead.
+  /// point on the body), the element may also be on a named point of the body.
   void stand_on_body(const Joiner::Ends& set, bool is_whole, const Mention& at) {
     const auto& body = draft_.geometries[set.part].body;
     if (!body || !(is_whole || declares(type_, datum::kArm)))
@@ -128,7 +128,7 @@ class RiderMaker {
     }
   }
 
-  /// Whether `on` has as many names as an element has nodes. The names may then be those of the nodes of one
+  /// Whether `on` has as many names as an element has nodes, so that the names may be the nodes of one
   /// element.
   bool is_one_of_corners() const { return names_.size() == static_cast<std::size_t>(type_.nodes()); }
 
@@ -170,7 +170,7 @@ class RiderMaker {
     for (const auto& [part, order] : grounds_)
       of_part.try_emplace(part, draft_.out.scene.parts[part], *draft_.types[part]);
     const NodeElements& elements = draft_.node_elements();
-    std::vector<std::pair<std::size_t, std::size_t>> parts;  // pieces at one node, in the order of the names
+    std::vector<std::pair<std::size_t, std::size_t>> parts;  // parts at a node, each after its order in `on`
     for (const auto node : nodes_) {
       parts.clear();
       for (const auto& at : elements.at(node))  // part by part

@@ -22,11 +22,11 @@ namespace netloft::scenes {
 struct TautiModel {
   double lengths = 1, twines = 1;  // ratios λ, λ' of (1)
 
-  /// The viscosity with which full-scale netting has the Reynolds number (3), divided by the viscosity in the
-  /// tank.
+  /// The viscosity with which full-scale netting has the Reynolds number (3), divided by the viscosity ν in
+  /// the tank.
   double viscosity_of_netting() const;
   /// Replaces the ropes and floats of a scene by those of the model, scaled up to the size of the gear. The
-  /// viscosity of the scene's water must be that of viscosity_of_netting().
+  /// viscosity of the water in the scene must already include the factor viscosity_of_netting().
   void scale_ropes_and_floats(Scene& scene) const;
 };
 

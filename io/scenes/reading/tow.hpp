@@ -13,9 +13,9 @@ void read_tow(formats::TableReader tow, Scene& scene);
 /// Reads `[bed]`: sets the seabed of the scene, and returns its material.
 SeaBottom read_bed(formats::TableReader bed, Scene& scene);
 
-/// The behaviour of the friction of a part on ground at rest. `not_asked`: the ground moves, or the part has
-/// no friction. `sticks`: the element remembers the place on the ground to which it sticks
-/// (NETLOFT_READS_STATE). `none`: the friction of the element needs a sliding velocity.
+/// How the friction of a part behaves on ground at rest. `not_asked`: the ground moves, or the part has no
+/// friction. `sticks`: the element remembers the place on the ground to which it sticks
+/// (NETLOFT_READS_STATE). `none`: the element has friction only if the ground moves.
 enum class StandingFriction { not_asked, none, sticks };
 StandingFriction friction_on_standing_ground(const Scene& scene, const Part& part, const ElementType& type);
 

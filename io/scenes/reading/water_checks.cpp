@@ -27,8 +27,8 @@ Heights heights_of(const Scene& scene) {
   return gear;
 }
 
-/// Warns of a current whose profile is above the surface, or entirely above or below the gear. A profile is
-/// constant beyond its heights, so that only one of its values would act.
+/// Warns of a current profile that is entirely above the surface, above the gear or below the gear. Beyond
+/// its heights a profile is constant, so that the gear would meet only one of its values.
 void check_profile(const Scene& scene, formats::TableReader& root) {
   const auto& profile = scene.current.samples;
   if (scene.current.is_uniform() || scene.positions.empty()) return;
@@ -47,11 +47,11 @@ void check_profile(const Scene& scene, formats::TableReader& root) {
       "z points up and is 0 at the surface: a depth of 50 m is z = \"-50 m\"");
 }
 
-/// Warns of a current that has the velocity of the tow, at all heights and at some time: the water would pass
-/// the gear twice as fast as intended.
+/// Warns of a current that has the velocity of the tow, at all heights and at some time. The water would then
+/// pass the gear twice as fast as intended.
 void check_tow(const Scene& scene, formats::TableReader& root) {
-  // The velocities count as equal within this fraction of the towing speed. Gears are rarely towed through a
-  // current of the same velocity.
+  // Two velocities are equal if they differ by less than this fraction of the towing speed. Gears are rarely
+  // towed through a current that happens to have the same velocity.
   constexpr double kAlike = 0.02;
   Current current = scene.current;
   const auto tow = std::exchange(current.tow, {});

@@ -5,8 +5,8 @@
 
 namespace netloft::scenes {
 
-/// Warns of a current whose profile ends above or below the gear, and of a current that repeats the velocity
-/// of the tow. `root` is the table of the scene.
+/// Warns of a current profile that does not reach the gear, and of a current that repeats the velocity of the
+/// tow. `root` is the table of the scene.
 void check_current(const Scene& scene, formats::TableReader& root);
 
 }  // namespace netloft::scenes

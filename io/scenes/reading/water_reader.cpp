@@ -35,7 +35,7 @@ void WaterReader::check_waves() {
               "kind = \"dynamic\" in [analysis], or leave them out");
 }
 
-/// Sets the velocity of water and ground to that of a ship that tows the gear of a net plan.
+/// Sets the velocity at which water and ground pass the gear of a net plan, from the speed of its ship.
 void WaterReader::read_ship() {
   if (!root_.has("ship")) return;
   const gears::Ship* ship = gear_.ship();
@@ -50,10 +50,10 @@ void WaterReader::read_ship() {
   out_.scene.current.tow = out_.scene.ground;
 }
 
-/// Sets the water of the scene, with the viscosity of a model test. By Froude's rule (W. Froude), a model at
-/// the scale 1 : s has velocities that are smaller by √s. In water of viscosity ν it has the Reynolds numbers
-/// of the gear in water of viscosity ν s^1.5; if nothing stretches, model and gear are similar in all other
-/// respects.
+/// Sets the water of the scene, with the viscosity of a model test. By Froude's rule (W. Froude), velocities
+/// of a model at the scale 1 : s are smaller by √s. In water of viscosity ν, the model has the Reynolds
+/// numbers that the gear has in water of viscosity ν s^1.5; if nothing stretches, model and gear are similar
+/// in all other respects.
 void WaterReader::take_water(const WaterKeys& keys, formats::TableReader& water) {
   out_.scene.water = keys;
   if (keys.model_twine_scale == 0) {

@@ -14,7 +14,7 @@ class WaterReader {
       : root_(root), diagnostics_(root.diagnostics()), draft_(draft), out_(draft.out), gear_(gear) {}
 
   void read();
-  /// Reports waves in a static analysis, where they have no effect, as an error.
+  /// Reports an error for waves in a static analysis, where they have no effect.
   void check_waves();
   /// If the scene requests it, scales ropes and floats by Tauti's rule (tauti.hpp). A motion is then an
   /// error, because the rule makes forces similar, but not masses.

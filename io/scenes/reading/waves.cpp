@@ -21,8 +21,8 @@ double depth_of(const WaveKeys& keys, const Scene& scene) {
 
 bool is_drawn(const WaveKeys& keys) { return keys.spectrum != 0; }
 
-/// There are regular waves and spectra. Reports keys of the other kind of waves as errors, because they have
-/// no effect.
+/// Reports keys of the other kind of waves as errors, because they have no effect. The two kinds are regular
+/// waves and spectra.
 void refuse_idle(const WaveKeys& keys, formats::TableReader& waves) {
   if (is_drawn(keys)) {
     if (waves.has("phase"))
@@ -35,8 +35,8 @@ void refuse_idle(const WaveKeys& keys, formats::TableReader& waves) {
       waves.error(key, "belongs to a spectrum, and these waves are regular", "spectrum = \"jonswap\"");
 }
 
-/// Reports breaking waves as an error. Waves break if the height of regular waves, or the significant height
-/// at the peak period, is too large.
+/// Reports breaking waves as an error. Waves break if their height (for a spectrum, the significant height at
+/// the peak period) is too large.
 void check_height(const WaveKeys& keys, double k, double depth, formats::TableReader& waves) {
   const double length = 2 * std::numbers::pi / k, highest = highest_wave(k, depth);
   if (keys.height >= highest)

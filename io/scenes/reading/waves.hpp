@@ -7,8 +7,8 @@
 
 namespace netloft::scenes {
 
-/// Reads `water.waves`. The water, current and bed of the scene must have been read. nullptr if the table is
-/// absent or has errors.
+/// Reads `water.waves`. The water, current and bed of the scene must have been read before. Returns nullptr
+/// if the table is absent or has errors.
 std::shared_ptr<const WaterField> read_waves(formats::TableReader& water, const Scene& scene);
 
 }  // namespace netloft::scenes

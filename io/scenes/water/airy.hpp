@@ -57,8 +57,8 @@ class AiryWaves : public WaterField {
   struct Train {
     double amplitude, omega, k, phase;
   };
-  /// Velocity and acceleration along the direction of travel and upwards, and the derivatives of the
-  /// velocities with respect to z.
+  /// Velocity and acceleration along the direction of travel and upwards; derivatives of both velocities with
+  /// respect to z.
   struct Plane {
     double u = 0, w = 0, u_rate = 0, w_rate = 0, u_dz = 0, w_dz = 0;
   };

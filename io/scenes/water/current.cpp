@@ -19,7 +19,7 @@ std::vector<double> read_column(formats::TableReader& profile, const char* key, 
   return column;
 }
 
-/// Refuses a table that has heights or times but no velocity, so that the water would be still.
+/// Reports a table that has heights or times but no velocity, with which the water would be still.
 void require_velocity(const formats::TableReader& table) {
   const auto keys = table.keys();
   const auto is_argument = [](const auto& key) { return key == "z" || key == "t" || key == "factor"; };
@@ -41,7 +41,7 @@ bool ascend(const std::vector<double>& t, formats::TableReader& table) {
   return true;
 }
 
-/// Reads a current that is the same at all heights, as columns over time.
+/// Reads a current that is the same at all heights, from columns of velocities over time.
 Current read_drift(formats::TableReader table) {
   Current current;
   require_velocity(table);
@@ -53,7 +53,7 @@ Current read_drift(formats::TableReader table) {
   return current;
 }
 
-/// Reads the factors on the profile at the times `t`.
+/// Reads the factors by which the profile is multiplied at the times `t`.
 void read_factors(formats::TableReader& profile, Current& current) {
   if (!profile.has("t") && !profile.has("factor")) return;
   const auto t = profile.reals("t", kTimes);

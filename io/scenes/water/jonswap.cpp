@@ -11,11 +11,10 @@ namespace netloft::scenes {
 namespace {
 
 constexpr double kLowest = 0.4, kHighest = 5;  // range of f/f_p that the waves cover
-constexpr std::size_t kSamples = 20001;  // number of samples of the integral, with which limits of bands are
-                                         // accurate to 1e-6
+constexpr std::size_t kSamples = 20001;        // of the integral; limits of bands are then accurate to 1e-6
 
-/// The energy of waves with frequencies below each sample of f/f_p, as a fraction of the total energy, by the
-/// trapezoidal rule.
+/// For each sample of f/f_p, the energy of waves with lower frequencies as a fraction of the total energy, by
+/// the trapezoidal rule.
 std::vector<double> energy_below(double peakedness) {
   const double step = (kHighest - kLowest) / static_cast<double>(kSamples - 1);
   std::vector<double> sums(kSamples);
