@@ -4,7 +4,7 @@
 
 namespace netloft::studies {
 
-/// The result of a calibration: its fit, or the reason why there is no fit.
+/// The result of a calibration: a fit, or the reason why there is none.
 struct Calibration {
   CalibrationFile file;
   std::vector<Measurement> measured;  // values in the order of the file, each in the unit of its figure
@@ -15,7 +15,7 @@ struct Calibration {
   int solves = 0;
   double cpu_seconds = 0;
   std::vector<std::string> unstable;  // scenes with an unstable equilibrium at the fitted parameters
-  std::string trouble;  // if the fit did not converge: why the last failed scene has no equilibrium
+  std::string trouble;  // if the fit did not converge: why the scene that failed last has no equilibrium
 
   /// Half width of the intervals of parameters and of the bands of predictions, in standard deviations.
   double width() const;

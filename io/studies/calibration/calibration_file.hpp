@@ -9,7 +9,7 @@
 
 namespace netloft::studies {
 
-/// A scene that describes a gear at which figures were measured.
+/// A scene that describes a gear and conditions at which figures were measured.
 struct CalibrationScene {
   std::string name;
   std::string file;  // path relative to the folder of the calibration file
@@ -29,7 +29,7 @@ struct CalibrationVariable {
 };
 
 /// A measured value of a figure (a number that the run of a scene reports). Value and deviation are texts
-/// with units, because the unit of the figure is not known yet.
+/// with units, because the unit of the figure is not known before the scene is read.
 struct MeasuredFigure {
   std::size_t scene = 0;
   std::string figure;  // name of the figure: "gear/mouth/headline_height"

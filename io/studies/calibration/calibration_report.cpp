@@ -15,9 +15,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Out = std::back_insert_iterator<std::string>;
 
-// If two parameters have a correlation above kInseparable, the measurements determine only a combination of
-// them. If the deviation of a parameter is above kUnknown times its prior deviation, the measurements do not
-// determine it.
+// Limits for warnings. If two parameters have a correlation above kInseparable, the measurements determine
+// only a combination of both. If the deviation of a parameter exceeds kUnknown times its prior deviation, the
+// measurements do not determine this parameter.
 constexpr double kInseparable = 0.95, kUnknown = 0.9;
 
 /// A warning about a strong correlation.

@@ -35,7 +35,7 @@ class CalibrationInspection {
   }
 
   /// Opens a scene at both ends of the interval of each variable. Stops at the first wrong value, because
-  /// other values would usually cause the same error.
+  /// later values would usually cause the same error.
   void inspect(std::size_t scene) {
     if (!open(scene, means(), true)) return;
     for (std::size_t v = 0; v < file_.variables.size(); ++v) {

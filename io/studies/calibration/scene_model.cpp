@@ -14,8 +14,7 @@ namespace netloft::studies {
 
 namespace {
 
-constexpr int kIterations = 30;  // limit of iterations from the previous equilibrium; then follows a new
-                                 // search
+constexpr int kIterations = 30;  // limit of iterations from the previous equilibrium; a new search follows
 
 double figure_named(const std::vector<StudyFigure>& figures, const std::string& name) {
   const auto at = std::find_if(figures.begin(), figures.end(), [&](const auto& f) { return f.name == name; });

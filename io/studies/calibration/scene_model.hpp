@@ -10,8 +10,8 @@ namespace netloft::studies {
 /// Called after every solve of a calibration with the number of solves and the name of the scene.
 using OnSolve = std::function<void(std::size_t solves, const std::string& scene)>;
 
-/// Predicts the measured figures with the scenes of a calibration. A scene is solved from its previous
-/// equilibrium, or by a new search if that fails. Slopes are derivatives at its equilibrium
+/// Predicts the measured figures with the scenes of a calibration. Each scene is solved from its previous
+/// equilibrium, or by a new search if that fails. Slopes are derivatives at the equilibrium of the scene
 /// (sensitivity.hpp).
 class SceneModel : public Model {
  public:
@@ -57,7 +57,7 @@ struct CheckedCalibration {
   std::vector<std::string> units;
   bool refused = false;
 };
-/// Opens every scene to find errors before anything is solved: at the prior means of the variables, and at
+/// Opens every scene to find errors before any scene is solved: at the prior means of the variables, and at
 /// both ends of the interval of each variable. Errors in keys, values and figures are reported to
 /// `diagnostics`. `on_budget` receives the processor time allowed for the figures of a scene [s].
 CheckedCalibration check_calibration(const CalibrationFile& file, const std::filesystem::path& folder,

@@ -16,8 +16,8 @@ namespace netloft::studies {
 namespace {
 
 // Two answers, improved by polish(), are different equilibria if the largest distance between the two
-// positions of a node exceeds both of two limits: kSame times the size of the gear, and kDoubt times the sum
-// of the uncertainties of the answers.
+// positions of a node exceeds two limits: kSame times the size of the gear, and kDoubt times the sum of the
+// uncertainties of both answers.
 constexpr double kSame = 1e-6, kDoubt = 10;
 
 double diagonal_of(const Scene& scene) {
@@ -60,8 +60,8 @@ class Comparing {
     describe();
     try {
       run_all();
-    } catch (const formats::Interrupted&) {  // interrupted while a scene was being read; results of earlier
-                                             // methods remain
+    } catch (const formats::Interrupted&) {  // interrupted while a scene was read; results of earlier methods
+                                             // remain
     }
     out_.is_interrupted = is_interrupted();
     return std::move(out_);
@@ -124,8 +124,9 @@ class Comparing {
     return result;
   }
 
-  /// Compares the reference with the answer of the method at the tightest tolerance to which the method
-  /// converged. nullopt if both are the same equilibrium, or if no trial of the method converged.
+  /// Compares the reference with an answer of the method: the one at the tightest tolerance to which the
+  /// method converged. nullopt if both answers are the same equilibrium, or if no trial of the method
+  /// converged.
   std::optional<OtherEquilibrium> find_other_equilibrium(const MethodResult& result) {
     const auto last = std::find_if(result.trials.rbegin(), result.trials.rend(),
                                    [](const Trial& t) { return t.converged(); });
@@ -151,8 +152,8 @@ class Comparing {
       }
   }
 
-  /// Solves the scene on all meshes by one method, the cheapest that converged at the tightest tolerance, so
-  /// that the answers differ only because of the mesh.
+  /// Solves the scene on all meshes with one method, so that answers differ only because of the mesh. It is
+  /// the cheapest of the methods that converged at the tightest tolerance.
   void find_discretisation() {
     const CellList& list = *task_.cells;
     out_.discretisation =

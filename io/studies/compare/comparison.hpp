@@ -11,11 +11,11 @@ namespace netloft::studies {
 struct ComparisonTask {
   bool is_of_motions = false;      // true: the methods are integrators
   std::vector<Method> methods;     // at least one method
-  std::vector<double> tolerances;  // decreasing; of integrators: accuracies
-  int repeats = 3;                 // how often each trial is run; the cheapest run counts
-  std::string reference;          // solver or integrator for references; empty: any other than the tested one
-  std::optional<CellList> cells;  // meshes for the discretisation error
-  // Requested integrators whose plugins are not installed, each with a sentence about it.
+  std::vector<double> tolerances;  // decreasing; for integrators, these are accuracies
+  int repeats = 3;                 // number of runs of each trial, of which the cheapest counts
+  std::string reference;           // solver or integrator for references; empty: any except the tested one
+  std::optional<CellList> cells;   // meshes for the discretisation error
+  // Requested integrators whose plugins are not installed, each with a sentence that says so.
   std::map<std::string, std::string> absent;
 };
 
@@ -23,10 +23,10 @@ struct ComparisonTask {
 struct OtherEquilibrium {
   double distance = 0;           // largest distance of a node [m]
   double energy_difference = 0;  // energy of the method's answer minus that of the reference [J]
-  bool has_energy = false;       // false: not all forces have an energy
+  bool has_energy = false;       // false: not all forces have a potential
 };
 
-/// One method at every tolerance, with the reference that its errors are measured against.
+/// One method at every tolerance, with the reference from which its errors are measured.
 struct MethodResult {
   Method method;
   std::vector<Trial> trials;
@@ -52,7 +52,7 @@ struct Comparison {
   bool any_failed() const;  // whether a plugin broke down in a trial
 };
 
-/// Runs all trials. Before, the caller must have opened the scene with every method and reported errors.
+/// Runs all trials. The caller must have opened the scene with every method before, and reported the errors.
 /// Throws std::runtime_error if a scene still has errors, std::invalid_argument if its parts cannot be
 /// divided into `task.cells`.
 Comparison compare(const runs::CaseSource& source, Registry& registry, const ComparisonTask& task,

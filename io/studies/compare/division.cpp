@@ -20,11 +20,11 @@ namespace {
 constexpr std::int64_t kMostCells = 100000;  // limit along one direction, as for scenes
 constexpr std::int64_t kFewestWorthwhile = 2;
 
-// Least number of nodes of a coarser gear. For 10 gears, 8 % of all errors exceeded the error bars from
-// meshes of 150, 300 and 600 nodes, and 3 % those from 300, 600 and 1200 nodes.
+// Least number of nodes of a coarser gear. In a test with 10 gears, 8 % of all errors exceeded the error bars
+// from meshes of 150, 300 and 600 nodes, and 3 % exceeded those from 300, 600 and 1200 nodes.
 constexpr std::int64_t kFewestNodes = 300;
 
-/// A factor by which cells are multiplied.
+/// A factor by which numbers of cells are multiplied: up/down.
 struct Factor {
   std::int64_t up = 1, down = 1;
   bool divides(std::int64_t cells) const { return cells * up % down == 0 && cells * up / down >= 1; }
@@ -103,8 +103,8 @@ std::vector<std::uint32_t> parts_of(const scenes::GearInScene& gear) {
   return parts;
 }
 
-/// Whether `text` names a node by its number ("net.node-17") in one of `parts`. On another mesh, this number
-/// belongs to another node.
+/// Whether `text` names a node of one of `parts` by its number ("net.node-17"). On another mesh, another node
+/// has this number.
 bool names_a_divided_node(const std::string& text, const Names& parts) {
   const auto dot = text.find(".node-");
   return dot != std::string::npos && parts.contains(text.substr(0, dot));

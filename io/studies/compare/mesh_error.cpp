@@ -12,8 +12,8 @@ namespace netloft::studies {
 
 namespace {
 
-/// Sets the mesh errors of the numbers `judged` on mesh `own`. Adds a sentence to the note for every tension
-/// at a rope end that has no limit under refinement.
+/// Sets the mesh errors of the numbers `judged`, which are those on mesh `own`. Adds a sentence to the note
+/// for every tension at a rope end that has no limit under mesh refinement.
 void judge(const std::vector<NumbersOnMesh>& meshes, std::size_t own, NumberGroup numbers,
            std::vector<results::NamedScalar>& judged, std::string& note) {
   for (auto& scalar : judged) {
@@ -39,8 +39,8 @@ std::string note_on(const std::vector<NumbersOnMesh>& meshes) {
                                      : "the largest difference between meshes, or to an extrapolated value");
 }
 
-/// Sorts the meshes from the coarsest to the finest, and returns the new index of the scene's own mesh, which
-/// was the first.
+/// Sorts the meshes from the coarsest to the finest. The first of them is the scene's own mesh; its new index
+/// is returned.
 std::size_t sort_meshes(std::vector<NumbersOnMesh>& meshes) {
   const std::int64_t own = meshes.front().mesh.count;
   std::sort(meshes.begin(), meshes.end(),

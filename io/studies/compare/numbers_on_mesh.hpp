@@ -21,21 +21,21 @@ struct NumbersOnMesh {
   std::vector<results::RopeTensions> ropes;
 };
 
-/// The mesh and the numbers of a scene that was solved.
+/// The mesh and the numbers of a solved scene.
 NumbersOnMesh numbers_of(runs::PreparedScene& solved, const Solution& solution,
                          const results::Result& result);
 
-/// Selects `scalars` or `gear` of NumbersOnMesh.
+/// A pointer to the member `scalars` or `gear` of NumbersOnMesh.
 using NumberGroup = std::vector<results::NamedScalar> NumbersOnMesh::*;
 
-/// Solves a scene on another mesh. nullopt if forces do not balance at the end; `why_not` is then the reason.
-/// Accepts an unstable equilibrium, because its figures depend on the mesh in the same way as those of a
-/// stable equilibrium.
+/// Solves a scene on another mesh. If forces do not balance at the end, returns nullopt, and sets `why_not`
+/// to the reason. Accepts an unstable equilibrium, because its figures depend on the mesh in the same way as
+/// those of a stable equilibrium.
 std::optional<NumbersOnMesh> solve_on(const MeshLevel& level, const runs::CaseSource& source,
                                       Registry& registry, const runs::Watch& watch, std::string& why_not);
 
-/// The limit of a number under mesh refinement, and the distance of the number from that limit on the mesh
-/// with index `asked`. NaN if the number is missing on some mesh.
+/// The limit of a number under mesh refinement, and the distance from this limit to the number on the mesh
+/// with index `asked`. NaN if a mesh lacks the number.
 Trend find_trend_of(const std::string& name, NumberGroup numbers, const std::vector<NumbersOnMesh>& meshes,
                     std::size_t asked);
 

@@ -12,7 +12,7 @@ namespace {
 using Point = std::array<double, 3>;
 
 /// Converts a fraction to units of 1e-9. The offset keeps quotients of small integers away from the boundary
-/// between two units, so that fractions that differ by round-off get the same number.
+/// between two units, so that two fractions that differ only by round-off get the same number.
 std::int64_t in_units(double fraction) {
   return static_cast<std::int64_t>(std::floor(fraction * 1e9 + 0.317));
 }

@@ -16,8 +16,8 @@ struct Spot {
   auto operator<=>(const Spot&) const = default;
 };
 
-/// The positions of the nodes of one mesh of a gear [m], by spot. Nodes of two meshes coincide if they have
-/// the same spot.
+/// The positions of the nodes of one mesh of a gear [m], by spot. Nodes of different meshes correspond if
+/// they have the same spot.
 using Places = std::map<Spot, std::array<double, 3>>;
 
 /// The spots of the nodes of a scene; `positions` has all node positions, 3 per node [m].

@@ -22,7 +22,7 @@ void measure(StaticProblem& problem, Polished& p) {
   p.load = balance.scale;
 }
 
-/// The rounding unit of the largest coordinate [m], which bounds the accuracy of positions.
+/// The rounding unit of the largest coordinate [m], which limits the accuracy of positions.
 double last_digit(const std::vector<double>& x) {
   double largest = 0;
   for (const double coordinate : x) largest = std::max(largest, std::abs(coordinate));
@@ -45,7 +45,7 @@ Polished next(StaticProblem& problem, const Polished& from) {
 Polished polish(runs::PreparedScene& fresh, const std::vector<double>& u) {
   StaticProblem problem(fresh.assembler(), make_factorisation, {});
   // Displacements are measured from the rounded positions, because displacements from the initial positions
-  // would lose digits. This is possible only if there are no bodies, because rotations are not displacements.
+  // would lose digits. This is impossible if there are bodies, because rotations are not displacements.
   const bool counts_from_there = !fresh.assembler().has_bodies();
   Polished best;
   best.u = u;
@@ -79,7 +79,7 @@ double factorisation_seconds(runs::PreparedScene& fresh, const std::vector<doubl
   const int how = p.factorise(p.host, NETLOFT_EXACT, 0) == NETLOFT_FACTOR_OK
                       ? NETLOFT_EXACT
                       : NETLOFT_EXACT | NETLOFT_INDEFINITE;
-  p.factorise(p.host, how, 0);  // this call is not timed, because it may do work that later calls reuse
+  p.factorise(p.host, how, 0);  // this call is not timed: it may do work that later calls reuse
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kTimings; ++i) {
     const double begun = cpu_seconds();

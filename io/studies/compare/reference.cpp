@@ -10,9 +10,9 @@ namespace netloft::studies {
 
 namespace {
 
-// Tolerances to try. Most solvers reach the first one; slow ones may reach only a looser one.
+// Tolerances to try. Most solvers reach the first one; slow solvers may reach only a looser one.
 constexpr std::array<double, 3> kTolerances{1e-9, 1e-6, 1e-4};
-// Solvers, the most trusted first. The two methods of newton share little code.
+// Solvers, the most trusted first. The two methods of the plugin newton share little code.
 constexpr std::array<const char*, 6> kTrusted{
     "newton", "ptc", "lbfgs", "relaxation", "newton:method=classic", "newton:method=globalised"};
 

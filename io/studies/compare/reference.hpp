@@ -9,7 +9,7 @@ namespace netloft::studies {
 /// improved it until only round-off was left.
 struct ReferenceAnswer {
   Method method;
-  bool independent = true;  // whether its solver comes from another plugin than the tested method
+  bool independent = true;  // whether its solver and the tested method come from different plugins
   double tolerance = 0;     // tolerance to which this solver converged
   Stability stability = Stability::unknown;
   Polished answer;
@@ -19,15 +19,15 @@ struct ReferenceAnswer {
   bool is_damped = true;
 };
 
-/// The solvers that may compute a reference for `method`, in the order in which to try them. Solvers of the
-/// method's own plugin come last, so that a method is compared with itself only if no other solver is
-/// installed. `available` lists the installed plugins; if `wanted` is not empty, only this solver is a
+/// The solvers that may compute a reference for `method`, in the order in which they are tried. Solvers of
+/// the method's own plugin come last, so that a method is compared with its own plugin only if no other
+/// solver is installed. `available` lists the installed plugins. If `wanted` is not empty, it is the only
 /// candidate.
 std::vector<Method> reference_methods(const Method& method, const std::vector<std::string>& available,
                                       const std::string& wanted);
 
 /// The solver plugin of a method: "newton" for "newton:method=classic". For a strategy, it is the default
-/// solver, because the stages of the strategy use it.
+/// solver, which the stages of the strategy use.
 std::string plugin_of(const Method& method);
 
 /// The answers of reference solvers to one scene, each computed on first use.

@@ -13,7 +13,7 @@ namespace {
 
 // Accuracies to try for a reference, as factors on the tightest accuracy in the comparison.
 constexpr std::array<double, 2> kFiner{0.1, 1};
-// Integrators, the most trusted first. The first one fails on the fewest hard motions (tests/bench/motions).
+// Integrators, the most trusted first: it fails on the fewest hard motions (tests/bench/motions).
 constexpr std::array<const char*, 3> kTrustedIntegrators{
     "integrator energy-momentum", "integrator generalized-alpha", "integrator newmark"};
 

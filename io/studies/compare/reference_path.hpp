@@ -4,14 +4,14 @@
 
 namespace netloft::studies {
 
-/// The paths against which errors of motions are measured. Each is computed by an integrator from another
-/// plugin than the tested one. Its accuracy is ten times finer than the tightest in the comparison, or equal
-/// to the tightest if the motion fails at the finer one. The uncertainty of this path is its distance from
-/// the path of another integrator. Methods without damping of materials are compared with paths without such
-/// damping.
+/// The paths from which errors of motions are measured. Each path is computed by an integrator from another
+/// plugin than the tested one. Its accuracy is ten times finer than the tightest accuracy in the comparison,
+/// or equal to the tightest one if the motion fails at the finer one. The uncertainty of a path is its
+/// distance from the path of a further integrator. Methods without damping of materials are compared with
+/// paths without such damping.
 class ReferencePaths {
  public:
-  /// `wanted`: the integrator to use; empty: the most trusted installed one. `tightest`: the smallest
+  /// `wanted` is the integrator to use (empty: the most trusted installed one); `tightest` is the smallest
   /// accuracy in the comparison.
   ReferencePaths(const runs::CaseSource& source, Registry& registry, std::string wanted, double tightest,
                  const runs::Watch& watch)
@@ -36,8 +36,8 @@ class ReferencePaths {
   std::map<std::pair<std::string, bool>, std::optional<ReferenceAnswer>> found_;
 };
 
-/// The largest distance of a node between the outputs of two paths [m]; infinite if one path has more
-/// outputs.
+/// The largest distance of a node between corresponding outputs of two paths [m]; infinite if one path has
+/// more outputs.
 double path_distance(const Scene& scene, const Numbering& numbering,
                      const std::vector<std::vector<double>>& a, const std::vector<std::vector<double>>& b);
 

@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kResults = "results/", kGear = "gear/";
-constexpr double kRoundOff = 1e-12;  // a smaller difference, relative to the value, is not a change
+constexpr double kRoundOff = 1e-12;  // a smaller relative difference is not a change
 
 void add_trends(const Refinement& refinement, std::string_view group, NumberGroup numbers,
                 std::vector<RefinedNumber>& all) {

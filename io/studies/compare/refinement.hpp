@@ -9,8 +9,7 @@ struct Refinement {
   std::string scene;
   std::vector<NumbersOnMesh> meshes;  // meshes, the coarsest first
   std::vector<std::string> missing;   // sentences about meshes without an answer
-  bool is_interrupted = false;  // whether the user interrupted; the current mesh and finer meshes are then
-                                // missing
+  bool is_interrupted = false;  // whether the user interrupted; the current and finer meshes are then missing
 };
 
 /// One number on all meshes, and its limit.
@@ -25,16 +24,17 @@ struct RefinedNumber {
   bool diverges() const;
 };
 
-/// Solves the scene on every mesh. A mesh without an equilibrium is left out and named in `missing`.
+/// Solves the scene on every mesh. A mesh without an equilibrium is left out; `missing` gets a sentence about
+/// it.
 Refinement refine(const runs::CaseSource& source, Registry& registry, const std::vector<MeshLevel>& levels,
                   const runs::Watch& watch);
 
-/// The trends of the numbers in [results], then of the figures of the gear, in the order of the report on the
-/// finest mesh; empty for fewer than two meshes.
+/// The trends of the numbers in [results], then of the figures of the gear, both in the order of the report
+/// on the finest mesh. Empty for fewer than two meshes.
 std::vector<RefinedNumber> find_trends(const Refinement& refinement);
 
-/// refinement_text has a line for every number that varies with the mesh, except figures by part;
-/// refinement_json is one JSON object with all numbers.
+/// refinement_text() has a line for every number that varies with the mesh, except figures of single parts;
+/// refinement_json() is one JSON object with all numbers.
 std::string refinement_text(const Refinement& refinement);
 std::string refinement_json(const Refinement& refinement);
 

@@ -10,7 +10,7 @@ namespace netloft::studies {
 
 namespace {
 
-/// The rounding unit of positions [m]: smaller errors are zero.
+/// The rounding unit of positions [m]. Smaller errors count as zero.
 double floor_of(const Comparison& c) { return std::numeric_limits<double>::epsilon() * c.size; }
 
 /// Adds a point. If several tolerances lead to the same error, only the point with the least work is kept.
@@ -26,8 +26,8 @@ std::string with_times_signs(std::string text) {
   return text;
 }
 
-/// Lists the tolerances at which a motion did not end, because these have no points: " (lost at 1e-01,
-/// 1e-02)".
+/// The text " (lost at 1e-01, 1e-02)": the tolerances at which a motion did not end. They have no points in
+/// the plot.
 std::string lost_at(const MethodResult& m) {
   std::string text;
   for (const Trial& t : m.trials)

@@ -13,7 +13,7 @@ constexpr double kLeastOrder = 0.5, kMostOrder = 2.5, kSteady = 0.5, kHighestOrd
 constexpr double kSafety = 1.25;        // safety factor in (4)
 constexpr double kSafetyOfScatter = 2;  // safety factor in (5)
 // Least change between meshes that counts as divergence, as a fraction of the value. Singular tensions, at
-// rope ends on corners of netting, change by a tenth or more; other figures that drift by chance change by
+// rope ends on corners of netting, change by a tenth or more. Other figures that happen to drift change by
 // less.
 constexpr double kNoise = 0.1;
 
@@ -22,13 +22,14 @@ double ratio_of(double p, double h3, double h2, double h1) {
   return (std::pow(h3 / h1, p) - std::pow(h2 / h1, p)) / (std::pow(h2 / h1, p) - 1);
 }
 
-/// The limit, (3) in richardson.hpp, from the values on a coarse mesh of width h2 and a fine one of width h1.
+/// The limit, (3) in richardson.hpp, from the value `coarse` on a mesh of width h2 and the value `fine` on a
+/// mesh of width h1.
 double limit_of(double order, double coarse, double fine, double h2, double h1) {
   return fine + extrapolation_weight(order, h2, h1) * (fine - coarse);
 }
 
-/// The error estimate, (5) in richardson.hpp, from the meshes `first` to the finest. trend.limit is NaN if
-/// the observed order is not credible.
+/// The error estimate, (5) in richardson.hpp, from the meshes from index `first` to the finest. trend.limit
+/// is NaN if the observed order is not credible.
 double bound(const Trend& trend, const std::vector<double>& values, const std::vector<double>& h,
              std::size_t asked, std::size_t first) {
   const std::size_t last = values.size() - 1;

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::string_view kRopes = "ropes/", kTension = "/tension_";
 
-/// The rope at one end of which `figure` is the tension ("ropes/headrope/tension_end"), with its bars in the
-/// order from that end; nullopt for other figures, or if the mesh has no such rope.
+/// The rope whose tension at one end is `figure` ("ropes/headrope/tension_end"), with its bars in the order
+/// from this end; nullopt for other figures, or if the mesh has no such rope.
 std::optional<results::RopeTensions> seen_from_end(const std::string& figure, const NumbersOnMesh& mesh) {
   const auto slash = figure.rfind(kTension);
   if (!figure.starts_with(kRopes) || slash == std::string::npos) return {};
@@ -25,7 +25,7 @@ std::optional<results::RopeTensions> seen_from_end(const std::string& figure, co
   return {};
 }
 
-/// The tensions at one distance from the end of a rope, one per mesh that has the rope.
+/// The tensions at `distance` from the end of a rope, one for each mesh that has the rope.
 std::vector<double> tensions_inside(const std::string& figure, const std::vector<NumbersOnMesh>& meshes,
                                     double distance) {
   std::vector<double> tensions;

@@ -10,7 +10,7 @@ namespace netloft::studies {
 bool is_of_rope_end(const std::string& figure);
 
 /// Returns a sentence such as "ropes/headrope/tension_starboard does not converge with the mesh; 1.2 m from
-/// that end, twice the longest bar there, it is 4873 N ± 41 N", with the tension and error on the mesh with
+/// that end, twice the longest bar there, it is 4873 N ± 41 N". Tension and error are those on the mesh with
 /// index `asked`.
 std::string divergence_text(const std::string& figure, const std::vector<NumbersOnMesh>& meshes,
                             std::size_t asked);

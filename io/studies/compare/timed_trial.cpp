@@ -68,7 +68,7 @@ Trial trial_in_time(runs::PreparedScene& fresh, const Method& method, double tol
   return t;
 }
 
-/// A trial whose plugin broke down. Trials at other tolerances may still succeed.
+/// A trial in which the plugin broke down. Trials at other tolerances may still succeed.
 Trial failed_trial(double tolerance, const std::string& why) {
   Trial t;
   t.tolerance = tolerance;

@@ -16,9 +16,9 @@ struct Trial {
   SolveStatus status = SolveStatus::not_converged;
   Stability stability = Stability::unknown;
   std::string reason;  // why there is no answer, as a sentence
-  // End of a motion: "finished", "lost", "out of time", "out of work", "interrupted"; empty: no motion.
+  // How a motion ended: "finished", "lost", "out of time", "out of work", "interrupted"; empty: no motion.
   std::string of_motion;
-  // Processor time of the solver without the final checks of the host, in the fastest repeat.
+  // Processor time of the solver in the fastest repeat, without the final checks by the host.
   double cpu_seconds = 0;
   Statistics statistics;          // statistics of the fastest repeat
   double residual = 0, load = 0;  // largest residual and load of a node at the answer [N]
@@ -42,11 +42,12 @@ struct Trial {
   }
 };
 
-/// A compared method: a solver in the syntax of `--solver`, or a strategy or an integrator after its keyword.
+/// A compared method: a solver in the syntax of `--solver`, or the word `strategy` or `integrator` with its
+/// name.
 struct Method {
   std::string specification;  // such as "newton:method=classic", "strategy auto", "integrator newmark"
 
-  /// "solver", "strategy" or "integrator". The table [analysis] of a scene has a key of this name.
+  /// "solver", "strategy" or "integrator", which is also its key in the table [analysis] of a scene.
   std::string kind() const;
   /// The specification without its keyword: "auto" for "strategy auto".
   std::string name() const;
@@ -55,13 +56,13 @@ struct Method {
 /// Returns `source` with this method and tolerance.
 runs::CaseSource source_for(const runs::CaseSource& source, const Method& method, double tolerance);
 
-/// Solves the scene `repeats` times from its initial guess, and reads it anew each time. If the method is an
-/// integrator, computes the motion of the scene instead, within the work budget of the analysis.
+/// Solves the scene `repeats` times from its initial guess; the scene is read anew each time. If the method
+/// is an integrator, computes the motion of the scene instead, within the work budget of the analysis.
 Trial run_trial(const runs::CaseSource& source, Registry& registry, const Method& method, double tolerance,
                 int repeats, const runs::Watch& watch);
 
-/// Runs all tolerances from the loosest to the tightest. After a failure, tighter tolerances are skipped; but
-/// not for motions, because shorter steps may succeed.
+/// Runs all tolerances from the loosest to the tightest. After a failure, tighter tolerances are skipped,
+/// except for motions, because shorter steps may succeed.
 std::vector<Trial> run_trials(const runs::CaseSource& source, Registry& registry, const Method& method,
                               const std::vector<double>& tolerances, int repeats, const runs::Watch& watch);
 

@@ -18,7 +18,7 @@ namespace netloft::studies {
 
 namespace {
 
-constexpr double kLittle = 1e-6;  // a change by this fraction of a range must not change the mesh
+constexpr double kLittle = 1e-6;  // a change by this fraction of a range must not change the mesh topology
 
 /// Compares a file with its scene. The member functions are the steps, in the order of execution.
 class OptimumInspection {
@@ -59,7 +59,7 @@ class OptimumInspection {
 
  private:
   /// Opens the scene with changes. If that fails, returns nullptr and stores the faults in `scene_faults_`.
-  /// `like`: a scene whose mesh topology is used, or nullptr.
+  /// `like` is a scene whose mesh topology is used, or nullptr.
   std::shared_ptr<runs::PreparedScene> try_open(const std::vector<formats::Change>& changes,
                                                 const runs::PreparedScene* like = nullptr) {
     runs::CaseSource source = source_;
@@ -71,8 +71,8 @@ class OptimumInspection {
     return state == runs::PreparedScene::State::ready ? scene : nullptr;
   }
 
-  /// Opens the scene like try_scene(), and reports its faults: at the key of the file that causes them or, if
-  /// no key does, at `place`.
+  /// Opens the scene like try_open(), and reports its faults: at the key of the file that causes a fault or,
+  /// if no key causes it, at `place`.
   std::shared_ptr<runs::PreparedScene> open(const std::vector<formats::Change>& changes,
                                             const formats::Place& place) {
     const auto scene = try_open(changes);

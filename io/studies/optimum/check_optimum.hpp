@@ -10,18 +10,18 @@
 
 namespace netloft::studies {
 
-/// A file for `netloft optimise` whose names and numbers were compared with its scene.
+/// A file for `netloft optimise` that was checked against its scene.
 struct CheckedOptimum {
   OptimumProblem problem;  // in the units of the variables and the figures
   std::vector<std::string> figures,
       units;                    // objective and constraints: their figures, and the units of these
-  double objective_factor = 1;  // the objective in the unit of the file, per unit of its figure
-  std::string inputs;           // hash of everything on which the figures at a point depend
+  double objective_factor = 1;  // factor from the unit of the objective's figure to the unit in the file
+  std::string inputs;           // hash of all inputs of the figures at a point
   bool refused = false;         // whether a plugin is missing or was rejected
   std::shared_ptr<runs::PreparedScene> scene;  // the scene at its own numbers
 };
 
-/// Opens the scene, and opens it again with each variable at its start, a little beside its start, and at
+/// Opens the scene at its own numbers, and with each variable at its start, a little beside its start, and at
 /// both ends of its range. Reports errors in the file: wrong keys, values, figures and units, and variables
 /// that cannot change continuously because the mesh changes with them. `on_budget` receives the processor
 /// time allowed for the figures of the scene [s].

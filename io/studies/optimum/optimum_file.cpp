@@ -46,7 +46,7 @@ class OptimumReader {
       formats::TableReader table = variables.table(name, formats::Presence::required, "key and range");
       OptimumVariable read{read_variable(name, table, VariedBy::interval)};
       const bool has_start = table.has("start"),
-                 has_step = table.has("step");  // known keys after errors, too
+                 has_step = table.has("step");  // makes the keys known even after errors
       if (has_start && read.variable.interval) read_start(read, table);
       if (has_step && read.variable.interval) read_step(read, table);
       for (const FollowingKey& key : read.variable.keys)

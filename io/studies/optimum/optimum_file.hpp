@@ -17,7 +17,8 @@ struct OptimumVariable {
   std::optional<double> step = {};   // the answer must be a whole multiple of it; nullopt: any number
 };
 
-/// Limits of a figure of the scene. They stay texts until the unit of the figure is known.
+/// Limits of a figure of the scene. They are texts, because the unit of the figure is not known before the
+/// scene is read.
 struct FigureLimits {
   std::string figure;  // name of the figure: "gear/mouth/headline_height"
   formats::Place place, low_place, high_place;
@@ -39,8 +40,8 @@ struct OptimumFile {
   int solves = 60;  // limit of the number of solves
 };
 
-/// Reads the file. Errors are reported to `diagnostics`. After errors, the result contains only the parts
-/// that could be read; it may be used to find further errors (check_optimum).
+/// Reads the file. Errors are reported to `diagnostics`. After an error, the result contains only the parts
+/// that could be read, and may be used only to find further errors (check_optimum).
 OptimumFile read_optimum_file(const std::filesystem::path& path, formats::Diagnostics& diagnostics);
 
 }  // namespace netloft::studies

@@ -17,15 +17,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Out = std::back_insert_iterator<std::string>;
 
-constexpr double kChosen = 1e-9;  // a price is shown if it is larger than this fraction of the objective
+constexpr double kChosen = 1e-9;  // a price above this fraction of the objective is shown
 
 std::string shown(double value, const std::string& unit) {
   return std::isfinite(value) ? fmt::format("{:.5g}{}", value, unit.empty() || unit == "1" ? "" : " " + unit)
                               : "";
 }
 
-/// A row of the report: the value of a figure or variable before and after, its limits, and, if it is at a
-/// limit, the price of this limit. Units are those in which the file states the limits.
+/// A row of the report: the value of a figure or variable before and after, and its limits. If the value is
+/// at a limit, the row also has the price of this limit. Units are those in which the file states the limits.
 struct Row {
   std::string name, unit;
   double before = NAN, after = NAN;

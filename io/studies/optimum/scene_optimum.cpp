@@ -21,11 +21,11 @@ namespace netloft::studies {
 
 namespace {
 
-// Limit of iterations of a solve that starts from the accepted equilibrium; tests/bench/optimum.md has the
-// cost of lower limits.
+// Limit of iterations of a solve that starts from the accepted equilibrium. tests/bench/optimum.md compares
+// the costs with lower limits.
 constexpr int kIterationsFromAccepted = 100;
 
-/// Changes "path=value" that give the variables these values.
+/// Changes "path=value" that set the variables to these values.
 std::vector<std::string> words_of(const OptimumFile& file, const std::vector<double>& parameters) {
   std::vector<std::string> words;
   for (std::size_t v = 0; v < parameters.size(); ++v) {
@@ -35,7 +35,7 @@ std::vector<std::string> words_of(const OptimumFile& file, const std::vector<dou
   return words;
 }
 
-/// The figures of the objective and the constraints as a model of the variables.
+/// A model whose figures are the objective and the constraints, as functions of the variables.
 class FiguresModel : public Model {
  public:
   FiguresModel(const OptimumFile& file, const CheckedOptimum& checked, const std::filesystem::path& folder,
@@ -78,7 +78,7 @@ class FiguresModel : public Model {
   }
 
  private:
-  /// An equilibrium from which searches for others start.
+  /// An equilibrium from which searches for other equilibria start.
   struct Solved {
     std::vector<double> parameters;
     std::unique_ptr<runs::PreparedScene> scene;
@@ -86,8 +86,8 @@ class FiguresModel : public Model {
     std::unique_ptr<runs::Tangent> tangent;
   };
 
-  /// Makes the equilibrium of the last accepted point available. If its figures came from the history, solves
-  /// it.
+  /// Makes the equilibrium of the accepted point available: solves the point if only its figures are known,
+  /// from the history.
   bool restore() {
     if (accepted_.empty() || base_.parameters == accepted_) return true;
     if (last_.parameters != accepted_ && !solve(accepted_)) return false;
@@ -110,8 +110,8 @@ class FiguresModel : public Model {
     formats::append(source.changes, formats::read_changes(words_of(file_, p)));
     last_.scene =
         std::make_unique<runs::PreparedScene>(std::move(source), registry_, checked_.scene->factorisations());
-    // All points have the mesh topology of the original scene. Figures then depend only on the variables, and
-    // are smooth functions even of mesh counts and mesh sizes.
+    // All points have the mesh topology of the original scene. Their figures then depend only on the
+    // variables, and are smooth functions even of mesh counts and mesh sizes.
     if (last_.scene->prepare_like(*checked_.scene) != runs::PreparedScene::State::ready) {
       known.reason = first_fault(last_.scene->diagnostics());
     } else {
@@ -129,7 +129,8 @@ class FiguresModel : public Model {
     return false;
   }
 
-  /// Finds the equilibrium of the last scene. Starts from the accepted equilibrium if their meshes are equal.
+  /// Finds the equilibrium of the last scene. Starts from the accepted equilibrium if both scenes have the
+  /// same mesh topology.
   Solution find() {
     if (!base_.scene || !runs::have_same_topology(*base_.scene, *last_.scene))
       return runs::find_equilibrium(*last_.scene, watch_);
@@ -167,14 +168,14 @@ class FiguresModel : public Model {
   std::string trouble_;
 };
 
-/// The two whole multiples of a step around a number, the nearer one first.
+/// The two multiples of a step on either side of a number, the nearer one first.
 std::array<double, 2> multiples_beside(double number, double step) {
   const double nearest = std::round(number / step), other = nearest + (nearest * step < number ? 1 : -1);
   const auto multiple = [&](double times) { return std::stod(fmt::format("{:.12g}", times * step)); };
   return {multiple(nearest), multiple(other)};
 }
 
-/// Sets the variables that have a step to whole multiples of it.
+/// Sets the variables that have a step to whole multiples of this step.
 class Rounding {
  public:
   using OnPoint = std::function<void(const OptimumPoint&)>;
@@ -205,7 +206,7 @@ class Rounding {
 
   int left() const { return done_.file.solves - static_cast<int>(done_.found.history.size()); }
 
-  /// Searches the optimum of the problem, and adds its points to the history.
+  /// Searches for the optimum of the problem, and adds the points of this search to the history.
   bool seek() {
     std::vector<OptimumPoint> points = std::move(done_.found.history);
     const int most = std::max(1, done_.file.solves - static_cast<int>(points.size()));
@@ -273,7 +274,7 @@ std::string scene_text(const SceneOptimum& optimum, const std::filesystem::path&
                        const std::filesystem::path& place) {
   namespace fs = std::filesystem;
   const fs::path scene = folder / optimum.file.scene;
-  formats::Diagnostics unheard;  // errors have been reported when the scene was opened
+  formats::Diagnostics unheard;  // errors were reported when the scene was opened
   const formats::Value base = formats::Document::load(scene, {}, unheard).root();
   formats::Value changed = base;
   for (const auto& change : formats::read_changes(overrides_of(optimum.file, optimum.found.best.parameters)))

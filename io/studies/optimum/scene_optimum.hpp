@@ -27,24 +27,24 @@ struct SceneOptimum {
 /// Finds the values of the variables at which the objective is best. Every solve starts from the equilibrium
 /// at the last accepted point, moved by its derivatives (runs::Tangent). Points in `history` are not solved
 /// again. At the end, variables with a step are rounded one by one: each is fixed at the nearest multiple of
-/// its step or, if that fails, at the multiple on the other side, and the search for the other variables is
+/// its step or, if that fails, at the multiple on the other side; then the search for the other variables is
 /// repeated. Throws formats::WriteError.
 SceneOptimum optimise_scene(OptimumFile file, CheckedOptimum checked, const std::filesystem::path& folder,
                             Registry& registry, PointHistory& history, const runs::Watch& watch,
                             const std::function<void(const OptimumPoint&)>& on_point = {});
 
-/// Arguments of `--set` that give the scene these values.
+/// Arguments of `--set` that set the variables of the scene to these values.
 std::vector<std::string> overrides_of(const OptimumFile& file, const std::vector<double>& parameters);
 
-/// A scene file that includes the scene of `file`, found in `folder`, and changes it to the best values.
-/// `place` is the folder in which the text will be stored.
+/// A scene file that includes the scene of `file`, which is in `folder`, and changes it to the best values.
+/// `place` is the folder in which the new file will be stored.
 std::string scene_text(const SceneOptimum& optimum, const std::filesystem::path& folder,
                        const std::filesystem::path& place);
 
 /// The report as text, and as one JSON object.
 std::string optimum_text(const SceneOptimum& optimum);
 std::string optimum_json(const SceneOptimum& optimum);
-/// A plot of the objective over the number of solves, relative to its value at the start.
+/// A plot of the objective against the number of solves, relative to its value at the start.
 formats::LinePlot optimum_plot(const SceneOptimum& optimum);
 
 }  // namespace netloft::studies

@@ -46,7 +46,7 @@ bool is_below(const std::string& path, const std::string& table) {
          (path.size() == table.size() || path[table.size()] == '.' || path[table.size()] == '[');
 }
 
-/// The error message if a path is not that of a number.
+/// The error message for a path that does not lead to a number.
 std::string no_number(const std::string& path, const std::vector<SceneNumber>& numbers) {
   std::vector<std::string> paths;
   for (const SceneNumber& number : numbers) paths.push_back(number.path);
@@ -56,7 +56,7 @@ std::string no_number(const std::string& path, const std::vector<SceneNumber>& n
                : "write it into the scene, or state it with --set " + path + "=VALUE");
 }
 
-/// Reads the standard deviation of a number, such as "0.1 kn", or "10 %" of the number.
+/// Reads the standard deviation of a number: "0.1 kn", or "10 %" of the number.
 double read_deviation(const std::string& text, const SceneNumber& number) {
   const bool is_percent = text.ends_with('%');
   const auto read =
@@ -121,7 +121,7 @@ std::vector<SceneNumber> parameters_of(const scenes::LoadedScene& loaded, Regist
 }
 
 std::vector<SceneNumber> chosen_numbers(runs::PreparedScene& scene, const std::vector<std::string>& paths) {
-  formats::Diagnostics said;  // unused: errors have been reported when the scene was read
+  formats::Diagnostics said;  // unused: errors were reported when the scene was read
   auto numbers = numbers_of(scene.source().scene.tables(scene.source().changes, said));
   if (paths.empty()) return numbers;
   const std::size_t written = numbers.size();

@@ -25,15 +25,15 @@ namespace netloft::studies {
 namespace {
 
 /// Step h of (2) in sensitivity.hpp, as a fraction of the number. On two trawls with 300 nodes, derivatives
-/// by steps of 1e-6 and 1e-7 differ by at most 2e-4 of the largest effect on a figure. Between steps of 1e-7
+/// with steps of 1e-6 and 1e-7 differ by at most 2e-4 of the largest effect on a figure. With steps of 1e-7
 /// and 1e-8, rounding makes them differ by 2e-3. With 1e-5, stiff ropes become slack at one end of the step.
 constexpr double kShortStep = 1e-6;
 /// The long step as a multiple of h.
 constexpr double kLongStep = 1000;
-/// A fold is confirmed if a correction by K has at least this fraction of the length of the step before it.
-/// The step goes twice the distance s to the expected fold. Near a fold, d²x = dx/2s, so that the correction
-/// is ½ (2s)² d²x = s dx, half of the step; later corrections grow, because there is no equilibrium. The
-/// limit is half of this ratio.
+/// A fold is confirmed if a correction with K has at least this fraction of the length of the step before it.
+/// The first step goes twice the distance s to the expected fold. Near a fold, d²x = dx/2s, so that the
+/// correction is ½ (2s)² d²x = s dx, half of the first step; later corrections grow, because there is no
+/// equilibrium. The limit is half of this ratio.
 constexpr double kTurnOfFold = 0.25;
 /// Effects below this fraction of the largest effect on a figure may be rounding errors, and are ignored.
 constexpr double kNoEffect = 1e-6;
@@ -45,11 +45,11 @@ std::vector<results::NamedScalar> joined(std::initializer_list<std::vector<resul
 }
 
 /// The scenes at p − h and p + h, or the reason why there are none. If p is at an end of its range, the scene
-/// at p is used instead of the scene outside the range.
+/// at p replaces the scene outside the range.
 struct Neighbours {
   std::shared_ptr<runs::PreparedScene> below = nullptr, above = nullptr;
   double distance = 0;  // difference of the number between both
-  double fraction = 0;  // difference between `above` and the scene, over the distance
+  double fraction = 0;  // difference between `above` and the scene itself, divided by `distance`
   std::string why_not = {};
 };
 
@@ -91,8 +91,8 @@ class Sensitivity {
  private:
   using Figures = std::vector<results::NamedScalar>;
 
-  /// Derivatives of all figures: their differences, divided by the change of the number. NaN for a figure
-  /// that one of the scenes does not have.
+  /// Derivatives of all figures: the differences of the figures, divided by the change of the number. NaN for
+  /// a figure that one of the two scenes lacks.
   std::vector<double> divided(const Figures& above, const Figures& below, double by) const {
     std::vector<double> ratios;
     for (const results::NamedScalar& figure : request_.figures) {
@@ -112,8 +112,8 @@ class Sensitivity {
     return numbers ? joined({numbers->scalars, numbers->figures, numbers->reactions}) : Figures{};
   }
 
-  /// Finds the members and nodes that switch within the typical change of a number. Refuses the number if its
-  /// typical change reaches a fold.
+  /// Finds the members and nodes that switch within the typical change of a number. If its typical change
+  /// reaches a fold, the number gets no derivatives.
   void find_reach(const Neighbours& near, const std::vector<double>& change, NumberEffect& effect) {
     const double typical = typical_change(effect.number);
     if (!(typical > 0)) return;
@@ -131,9 +131,9 @@ class Sensitivity {
     effect.why_not = why_not_near_fold(effect);
   }
 
-  /// Whether the equilibrium exists in a changed scene, at the expected positions y. It does not if the
-  /// solver fails from there or ends noticeably far away, by the rule with which Branch detects a fold. True
-  /// if the scene with these changes is not valid.
+  /// Whether the equilibrium exists in a changed scene, near the expected positions y. It does not if the
+  /// solver fails from y or ends noticeably far from y, by the rule with which Branch detects a fold. Returns
+  /// true if the scene with these changes is not valid.
   bool goes_on(const std::vector<formats::Change>& changes, const std::vector<double>& y) {
     std::string why_not;
     const auto beyond = open(changes, why_not);
@@ -166,8 +166,8 @@ class Sensitivity {
         effect.fold_at, unit, number.deviation > 0 ? "a standard deviation" : "one percent");
   }
 
-  /// The numbers of a scene at moved(change, times). Uses all digits of the change, because differences of
-  /// tensions in stiff ropes need them.
+  /// The numbers of a scene at moved(change, times). All digits of the change are used, because differences
+  /// of tensions in stiff ropes need them.
   Figures numbers_beside(runs::PreparedScene& scene, const std::vector<double>& change, double times) const {
     runs::ExactPlace place = runs::moved({x_, x_low_}, change, times);
     Solution there;
@@ -175,7 +175,8 @@ class Sensitivity {
     return numbers_at(scene, std::move(there));
   }
 
-  /// The derivatives by the long step: positions are extrapolated from a short step, and then corrected.
+  /// The derivatives with the long step. Positions are extrapolated with the change of the short step, and
+  /// then corrected.
   std::vector<double> by_long_step(const SceneNumber& number, double h, const std::vector<double>& change,
                                    double distance) {
     const Neighbours far = neighbours(number, kLongStep * h);
@@ -209,7 +210,7 @@ class Sensitivity {
                                             std::string& why_not) const {
     runs::CaseSource source = scene_.source();
     formats::append(source.changes, changes);
-    source.threads = 1;  // starting threads takes longer than they would save in one evaluation
+    source.threads = 1;  // starting threads takes longer than threads save in one evaluation
     auto near =
         std::make_shared<runs::PreparedScene>(std::move(source), scene_.registry(), scene_.factorisations());
     if (near->prepare_like(scene_) != runs::PreparedScene::State::ready)
@@ -233,7 +234,7 @@ class Sensitivity {
   Switches switches_;  // switches at the equilibrium; empty without `with_reach`
 };
 
-/// The name of a figure of a study, such as "gear/mouth/headline_height", in the result of a run.
+/// The name in the result of a run of a figure of a study, such as "gear/mouth/headline_height".
 std::string name_in_result(const std::string& figure) {
   for (const std::string_view group : {"results/", "gear/"})
     if (figure.starts_with(group)) return figure.substr(group.size());

@@ -34,9 +34,9 @@ struct Sensitivities {
   bool is_interrupted = false;  // whether effects of further numbers are missing after an interruption
 };
 
-/// The derivative of a figure depends on the step if its values by both steps differ by more than this
-/// fraction of the largest derivative of the figure. Derivatives are compared as changes of the figure by one
-/// percent of the number.
+/// A derivative depends on the step if its values with both steps differ by more than this fraction of the
+/// largest derivative of the figure. Derivatives are compared as changes of the figure by one percent of the
+/// number.
 inline constexpr double kSameDerivative = 0.01;
 
 struct SensitivityRequest {
@@ -45,14 +45,14 @@ struct SensitivityRequest {
   bool with_long_step = false;  // compute each derivative also with a second, longer step
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(std::size_t done, const std::string& path)> on_number = {};
-  bool with_reach = false;   // find switches and folds, which end the validity of each derivative
+  bool with_reach = false;   // find switches and folds, which limit the range of each derivative
   bool with_motion = false;  // keep dx/dp
 };
 
-/// Why a scene cannot have derivatives: it is a motion, or it leaves a length to the search. nullopt if it
-/// can.
+/// The reason why a scene cannot have derivatives: it is a motion, or it leaves a length to the search.
+/// nullopt if it can.
 std::optional<std::string> why_no_derivatives(const scenes::LoadedScene& loaded);
-/// Why a solution cannot have derivatives: the solve did not converge. nullopt if it did.
+/// The reason why a solution cannot have derivatives: its solve did not converge. nullopt if it did.
 std::optional<std::string> why_no_derivatives(const Solution& solution);
 
 /// The derivatives of all figures g(x, p) at the equilibrium x of a scene, where the residual r(x, p) is
@@ -68,13 +68,13 @@ std::optional<std::string> why_no_derivatives(const Solution& solution);
 /// of meshes included, move the nodes of the mesh and keep its triangles (PreparedScene::prepare_like()). A
 /// number has no derivatives if the scene is not valid on either side, or has other unknowns there.
 ///
-/// The derivatives hold while no member becomes taut or slack, and no node touches or leaves the ground.
-/// If a member or node is about to do so, the derivative with the long step is different. With the reach of
-/// derivatives, switch_changes() finds the members and nodes that would switch within the typical change of a
-/// number, to first order. A number has no derivatives if its typical change reaches a fold: if
-/// runs::Tangent::growth() foresees a fold so near, and if at twice this distance the solver finds no
-/// equilibrium where (1) expects it, by the rules of Branch. Without the second condition, slack netting
-/// would count, because it moves so far that its stiffness soon changes.
+/// The derivatives hold while no member becomes taut or slack, and no node touches or leaves the ground. If a
+/// member or node is about to do so, the derivative with the long step is different. If the reach of
+/// derivatives is requested, switch_changes() finds the members and nodes that would switch within the
+/// typical change of a number, to first order. A number has no derivatives if its typical change reaches a
+/// fold. There are two conditions for a fold: runs::Tangent::growth() predicts it so near; and at twice its
+/// distance, the solver finds no equilibrium where (1) expects it, by the rules of Branch. Without the second
+/// condition, slack netting would count, because it moves so far that its stiffness soon changes.
 Sensitivities find_sensitivities(runs::PreparedScene& scene, const Solution& solution,
                                  const SensitivityRequest& request);
 
@@ -84,7 +84,8 @@ struct FigureSlopes {
   std::string why_not;                    // why there are none, as a sentence; empty after an interruption
 };
 
-/// The derivatives of figures of a study ("results/NAME", "gear/…", "held/…") at the equilibrium of a scene.
+/// The derivatives of `figures`, named as in a study ("results/NAME", "gear/…", "held/…"), at the equilibrium
+/// of a scene.
 FigureSlopes slopes_of(runs::PreparedScene& scene, const Solution& solution,
                        const std::vector<std::string>& figures, const std::vector<SceneNumber>& numbers,
                        const std::atomic<bool>* interrupt);
@@ -92,9 +93,9 @@ FigureSlopes slopes_of(runs::PreparedScene& scene, const Solution& solution,
 /// The [results] of a scene, the figures of its gear, and the forces of its holds.
 std::vector<results::NamedScalar> all_figures(const results::Result& result);
 
-/// The positions in all_figures() of the figures in `names`; each name is that of a figure or of a group such
-/// as "mouth". If there are no names, the key figures of the result are chosen. Throws std::invalid_argument
-/// with a sentence if a name is unknown.
+/// The indices in all_figures() of the figures that `names` selects. Each name is that of a figure, or of a
+/// group such as "mouth". If there are no names, the key figures of the result are selected. Throws
+/// std::invalid_argument with a sentence if a name is unknown.
 std::vector<std::size_t> chosen_figures(const results::Result& result, const std::vector<std::string>& names);
 
 /// Change of figure `f` if the number increases by one percent.
@@ -110,28 +111,28 @@ double typical_effect(const NumberEffect& effect, std::size_t f);
 /// left out.
 std::vector<const NumberEffect*> ranked_effects(const Sensitivities& found, std::size_t f);
 
-/// The standard deviation of figure `f` that follows from those of the numbers, if the numbers are
-/// independent, to first order:
+/// The standard deviation of figure `f` that follows from those of the numbers, to first order, if the
+/// numbers are independent:
 ///   σ_f² = Σ (∂f/∂p σ_p)²                                                                   (3)
 /// 0 if no number has a deviation.
 double propagated_deviation(const Sensitivities& found, std::size_t f);
 
-/// Whether the derivative of figure `f` by the long step differs from that by the short step.
+/// Whether the derivatives of figure `f` with the long and the short step differ.
 bool depends_on_step(const Sensitivities& found, const NumberEffect& effect, std::size_t f);
 
-/// For each of the chosen figures a table of the numbers with the largest effects; then the numbers that have
-/// no derivatives, with the reasons.
+/// The report as text: a table for each chosen figure, with the numbers that have the largest effects on it;
+/// then the numbers without derivatives, with the reasons.
 std::string sensitivity_text(const Sensitivities& found, const std::vector<std::size_t>& figures);
 
-/// The largest effects on each of the chosen figures as bars: the change of the figure in percent if the
-/// number grows by one percent. Figures that are zero are left out.
+/// The largest effects on each of the chosen figures as bars. A bar is the change of the figure in percent if
+/// the number increases by one percent. Figures that are zero are left out.
 formats::BarChart sensitivity_bars(const Sensitivities& found, const std::vector<std::size_t>& figures);
 
 /// All effects as one JSON object; `status` is that of the equilibrium.
 std::string sensitivity_json(const Sensitivities& found, const std::vector<std::size_t>& figures,
                              const std::string& status);
 
-/// The same as the bytes of an HDF5 file (io/formats/hdf5/LAYOUT.md).
+/// All effects as the bytes of an HDF5 file (io/formats/hdf5/LAYOUT.md).
 std::string sensitivity_hdf(const Sensitivities& found, const std::vector<std::size_t>& figures,
                             const std::string& status);
 

@@ -56,7 +56,7 @@ void write_numbers(formats::Tree& tree, const std::vector<NumberEffect>& effects
                   "nodes that touch or leave the ground by a typical change, to first order");
 }
 
-/// Writes a matrix of one row per figure, one column per number; NaN where there is no derivative.
+/// Writes a matrix with a row for each figure and a column for each number; NaN if there is no derivative.
 template <class Of>
 void write_table(formats::Tree& tree, const std::string& name, const std::vector<std::size_t>& figures,
                  const std::vector<NumberEffect>& effects, const std::string& unit, const std::string& doc,

@@ -70,7 +70,7 @@ std::size_t sum_of(const std::map<std::string, std::size_t>& by_part) {
   return sum;
 }
 
-/// Describes how many of `all` switch, and in which parts most of them are: "nodes: 8, 1.2 % (headrope 5,
+/// Says how many of `all` switch, and in which parts most of these are: "nodes: 8, 1.2 % (headrope 5,
 /// footrope 3)".
 std::string text_of(const std::map<std::string, std::size_t>& by_part, std::size_t all,
                     const std::string& what) {
@@ -102,8 +102,8 @@ std::string row_of_switches(const NumberEffect& effect, const SwitchSides& sides
   return fmt::format("  {:<44} {:>18}   {}\n", effect.number.path, value_of(effect.number), text);
 }
 
-/// Lists which members are slack and which nodes touch the ground at the equilibrium, and the numbers that
-/// switch most of them.
+/// Says which members are slack and which nodes touch the ground at the equilibrium, and lists the numbers
+/// whose typical changes switch most members and nodes.
 std::string reach_text(const Sensitivities& found) {
   const std::string sides = sides_text(found.sides);
   if (sides.empty()) return "";
@@ -173,8 +173,8 @@ Json json_of(const SwitchSides& sides) {
           {"touching", sides.touching}};
 }
 
-/// Adds what limits the validity of a derivative: switches by its typical change, part by part, and a near
-/// fold.
+/// Adds what limits the range of a derivative: the switches within the typical change of the number, part by
+/// part, and a near fold.
 void add_reach(const NumberEffect& effect, Json& row) {
   if (std::isfinite(effect.fold_at)) row["fold_at"] = effect.fold_at;
   if (!effect.switches.members.empty()) row["switching_members"] = effect.switches.members;

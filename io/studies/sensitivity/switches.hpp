@@ -16,15 +16,15 @@ namespace netloft::studies {
 struct Switches {
   struct OfKind {
     std::vector<double> distance;
-    std::vector<std::uint32_t> part;  // the scene part of each
+    std::vector<std::uint32_t> part;  // scene part of each member or node
   };
   OfKind members;  // l/l₀ − 1 of bars and twines: taut above 0, slack below
   OfKind nodes;    // height of nodes over the ground [m]: nodes touch it below 0
 };
 
-/// The switches of a scene at positions x over all dofs. Members are those that elements declare
-/// (ext/members.h), except members that are as stiff in compression as in tension. Nodes are those with an
-/// output output::kGap. The change between sticking and sliding on a bed at rest is left out.
+/// The switches of a scene at positions x of all degrees of freedom. Members are those that elements declare
+/// (ext/members.h), except members that are as stiff in compression as in tension. Nodes are those with the
+/// output output::kGap. The switch between sticking and sliding on a bed at rest is left out.
 Switches switches_at(const Scene& scene, Assembler& assembler, std::span<const double> x);
 
 /// For a scene, which members are slack and which nodes touch the ground.
@@ -40,9 +40,9 @@ struct SwitchChanges {
   bool any() const { return !members.empty() || !nodes.empty(); }
 };
 
-/// The switches that change sides, to first order, when a number changes by ± `change`. `above` and `below`
-/// are those of the equilibria at two values of the number that are `distance` apart. A distance d changes
-/// its sign in one of both directions if
+/// The switches that change sides, to first order, if a number changes by ± `change`. `above` and `below` are
+/// the switches of the equilibria at two values of the number whose difference is `distance`. A distance d in
+/// `at` changes its sign in one of the two directions if
 ///   |dd/dp| change ≥ |d|,   dd/dp ≠ 0                                                    (1)
 /// No changes if the scenes have different switches.
 SwitchChanges switch_changes(const Scene& scene, const Switches& at, const Switches& above,

@@ -15,14 +15,14 @@ namespace {
 using Values = std::vector<VariableValue>;
 
 // A change is a jump if more than this fraction of it remains after all halvings of the step. On a smooth
-// path, 2^-5 of the change remains; at a jump, all of it.
+// branch, 2^-5 of the change remains; at a jump, all of it remains.
 constexpr double kLeftOfAJump = 0.25;
 // An equilibrium is on another branch if its distance exceeds the extrapolated change by this factor.
 constexpr double kElsewhere = 4;
 
 bool has_converged(const Solution& s) { return s.status == SolveStatus::converged; }
 
-/// The ratio of two successive steps, from `last` to `next` and from `before` to `last`; nullopt if the steps
+/// The ratio of the step from `last` to `next` to the step from `before` to `last`; nullopt if the two steps
 /// change different variables, or more than one variable.
 std::optional<double> way_on(const Values& before, const Values& last, const Values& next) {
   std::optional<double> ratio;
@@ -35,7 +35,7 @@ std::optional<double> way_on(const Values& before, const Values& last, const Val
   return ratio;
 }
 
-/// Whether points between `a` and `b` exist: the values that differ must be numbers.
+/// Whether there are points between `a` and `b`: all values in which they differ must be numbers.
 bool can_be_halved(const Values& a, const Values& b) {
   for (std::size_t v = 0; v < a.size(); ++v)
     if (a[v].text != b[v].text && !(a[v].number && b[v].number)) return false;
@@ -47,7 +47,7 @@ struct Move {
   std::uint32_t node = 0;
 };
 
-/// The largest distance of a node between two states of one scene, and that node.
+/// The largest distance between the positions of a node in two states of one scene, and the node.
 Move largest_move(const runs::PreparedScene& scene, const std::vector<double>& from_x,
                   const std::vector<double>& to_x) {
   const auto from = scene.assembler().node_positions(from_x), to = scene.assembler().node_positions(to_x);
@@ -110,10 +110,11 @@ Reached Branch::reach(std::shared_ptr<runs::PreparedScene> scene, const Values& 
   return reached;
 }
 
-/// Returns the points from which the next one is predicted: the last two if all three are on a line, else the
-/// last one and a point before it on the tangent. Instead of the tangent one could reuse the movement along
-/// the same variable in the previous row of points, but this predicts worse: on the trawl 83-112 at sea with
-/// 300 nodes and 16 samples, points took 4.9 factorisations on average instead of 4.2 to 4.6.
+/// Returns the points from which the next one is predicted: the last two if the next one is on a line with
+/// them, else the last one and a point before it on the tangent. Instead of the tangent, one could reuse the
+/// movement along the same variable in the previous row of points, but this predicts worse: on the trawl
+/// 83-112 at sea with 300 nodes and 16 samples, points took 4.9 factorisations on average instead of 4.2 to
+/// 4.6.
 Branch::Way Branch::known_places(const Values& values) {
   if (trail_.size() == 2)
     if (const auto ratio = way_on(trail_[0].values, trail_[1].values, values); ratio && *ratio != 0)
@@ -122,8 +123,8 @@ Branch::Way Branch::known_places(const Values& values) {
   return tangent_way(trail_.back(), values);
 }
 
-/// Returns `from` and, before it, a point on the tangent a little away from `to`; only `from` if there is no
-/// tangent.
+/// Returns two places: a point on the tangent, a little before `from` on the way to `to`, and `from` itself.
+/// Returns only `from` if there is no tangent.
 Branch::Way Branch::tangent_way(const Solved& from, const Values& to) {
   Way way{{0, from}};
   if (!can_be_halved(from.values, to)) return way;
@@ -165,8 +166,8 @@ bool Branch::walk(const std::shared_ptr<runs::PreparedScene>& scene, const Value
   return false;
 }
 
-/// Extrapolates positions to `at`, linearly from the last two places; if there is only one place, returns its
-/// positions. A parabola through three places predicted worse on the trawl 83-112 at sea with 300 nodes,
+/// Extrapolates positions to `at`, linearly from the last two places. If there is only one place, returns its
+/// positions. On the trawl 83-112 at sea with 300 nodes, a parabola through three places predicted worse,
 /// because slack twines and the bed make kinks.
 std::vector<double> Branch::led_on(const Way& way, double at) {
   const Place& last = way.back();
@@ -198,8 +199,8 @@ bool Branch::is_noticed(double distance, const runs::PreparedScene& of) const {
   return distance > options_.noticed * extent_of(of.loaded().scene);
 }
 
-/// Opens the scene at fraction t of the step from one point to another, and sets `values` to the values
-/// there.
+/// Opens the scene at the fraction t of the step from `from` to the next point, and sets `values` to the
+/// values of the variables there.
 std::shared_ptr<runs::PreparedScene> Branch::open_between(const Solved& from, const Values& to, double t,
                                                           Values& values) const {
   values = from.values;
@@ -242,7 +243,7 @@ void Branch::look_for_fold(const Way& way, const Solved& anew, std::vector<std::
       spell(end.solved.values, anew.values), name_of(anew, move), move.distance));
 }
 
-/// Lists the values that differ from those of another point: "speed 3.125 kn".
+/// Lists the values that differ from `other`, such as "speed 3.125 kn".
 std::string Branch::spell(const Values& values, const Values& other) const {
   std::string text;
   for (std::size_t v = 0; v < values.size(); ++v)

@@ -8,8 +8,7 @@
 
 namespace netloft::studies {
 
-/// An equilibrium on a branch: the scene, its solution, and the values that the variables of the study have
-/// there.
+/// An equilibrium on a branch: the scene, its solution, and the values of the study's variables.
 struct Solved {
   std::shared_ptr<runs::PreparedScene> scene;
   Solution solution;
@@ -26,17 +25,17 @@ struct Reached {
 struct BranchOptions {
   int iterations = 12;  // limit of iterations of a step; after that it is halved
   int halvings = 5;     // limit of halvings of a step; after that the branch has ended
-  // The fraction of a step over which residuals are differenced for a tangent. With a larger fraction the
-  // bed, which yields by millimetres, makes the tangent wrong; a smaller fraction loses digits to rounding.
-  // On four gears 2^-16 to 2^-20 need the fewest factorisations, and the trawl 83-112 at sea needs two to
-  // five times as many with 2^-12 and 2^-28.
+  // The fraction of a step over which residuals are differenced for a tangent. With a larger fraction, the
+  // tangent is wrong, because the bed yields by millimetres only; a smaller fraction loses digits to
+  // rounding. On four gears, 2^-16 to 2^-20 need the fewest factorisations; with 2^-12 and 2^-28, the trawl
+  // 83-112 at sea needs two to five times as many.
   double little = 0x1p-20;
-  // With fewer than two places nothing can be extrapolated. A step with more iterations than this may then
-  // have jumped to another branch, and is checked. Steps of the trawl 83-112 with 600 and 1000 nodes took 1
-  // to 4.
+  // With fewer than two places, positions cannot be extrapolated. A step with more iterations than this may
+  // then have jumped to another branch, and is checked. Steps of the trawl 83-112 with 600 and 1000 nodes
+  // took 1 to 4 iterations.
   int few_iterations = 4;
-  // A move below this fraction of the gear's size is not reported as a fold or jump, for example that of a
-  // twine that becomes slack.
+  // A move below this fraction of the gear's size is not reported as a fold or jump; for example, the move of
+  // a twine that becomes slack.
   double noticed = 1e-3;
 };
 
@@ -66,8 +65,8 @@ class Branch {
   Reached reach(std::shared_ptr<runs::PreparedScene> scene, const std::vector<VariableValue>& values);
 
  private:
-  /// A solved point and where it is along the step: 0 at the last point of the path, 1 at the next one,
-  /// negative before the last.
+  /// A solved point, and its position along the step: 0 at the last point of the path, 1 at the next one,
+  /// negative before the last one.
   struct Place {
     double at = 0;
     Solved solved;

@@ -13,7 +13,7 @@ namespace netloft::studies {
 
 namespace {
 
-/// The values at which a variable is checked: all listed ones, or both ends of the interval.
+/// The values at which a variable is checked: all listed values, or both ends of the interval.
 std::vector<VariableValue> tried(const Variable& variable) {
   if (!variable.interval) return variable.values;
   return {variable.value_of(variable.interval->low), variable.value_of(variable.interval->high)};
@@ -46,7 +46,7 @@ class StudyInspection {
     for (const std::size_t v : counts_) {
       const auto values = tried(file_.variables[v].variable);
       for (std::size_t i = 1; i < values.size(); ++i)
-        if (!open({{v, values[i]}})) break;  // errors of one value mostly recur with the others
+        if (!open({{v, values[i]}})) break;  // other values mostly cause the same errors
     }
     check_figures();
     return std::move(found_);
@@ -72,8 +72,8 @@ class StudyInspection {
     return state == runs::PreparedScene::State::ready;
   }
 
-  /// Leaves out, from now on, the variables that caused errors in the scene read last. Returns false if there
-  /// are none.
+  /// Leaves out, from now on, the variables that caused errors in the scene that was read last. Returns false
+  /// if there are no such variables.
   bool leave_out_blamed() {
     const auto is_blamed = [&](std::size_t v) {
       const auto& keys = file_.variables[v].variable.keys;

@@ -19,12 +19,14 @@ struct ScriptOptions {
 /// The name of the script in the folder of the study.
 std::string script_name(Engine engine);
 
-/// A bash script that lets an engine compute all items of the study that have no record yet, and then
-/// collects the table. Its head explains what it does and how to start it. A second start resumes the work.
+/// A bash script with which an engine computes all items of the study that have no record yet, and then
+/// collects the table. The head of the script explains what it does and how to start it. A second start
+/// resumes the work.
 std::string engine_script(Engine engine, const Study& study, const ScriptOptions& options);
 
-/// The number of items that take at least a minute in one task, estimated from the finished items of the
-/// study; 1 if there are none. Sets the mean wall time of the finished items, 0 if it is not known.
+/// The number of items that together take at least a minute, estimated from the finished items of the study;
+/// 1 if there are none. Sets `seconds_per_item` to the mean wall time of the finished items, 0 if it is not
+/// known.
 std::size_t items_per_minute(const Study& study, const std::filesystem::path& folder,
                              double& seconds_per_item);
 

@@ -56,7 +56,8 @@ std::string sum_of(const Json& head_without_sum, std::string_view items) {
   return fmt::format("{:08x}", formats::checksum(items, formats::checksum(line(head_without_sum))));
 }
 
-/// Returns the text and the number of a value. Only for sampled values does the number determine the text.
+/// Returns the text of a value and its number, if it has one. The text of a sampled value follows from its
+/// number; the number of a listed value follows from its text.
 Json value_json(const VariableValue& value) {
   return value.number ? Json::array({value.text, *value.number}) : Json::array({value.text});
 }
@@ -126,8 +127,8 @@ void read_head(const Json& json, Study& study) {
     study.files.emplace_back(file.at("path").get<std::string>(), file.at("hash").get<std::string>());
 }
 
-/// Checks that the scenes are set to the values that tables show. The values belong to the columns from
-/// `first` on.
+/// Checks that the changes `set` give the scenes the same values as the tables show. The values belong to the
+/// columns from `first` on.
 void require_set(const Study& study, std::size_t first, const std::vector<VariableValue>& values,
                  const std::vector<std::string>& set) {
   std::vector<std::string> expected;

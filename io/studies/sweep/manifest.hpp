@@ -12,13 +12,13 @@ class StudyError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The manifest of a study as JSON lines: the first line describes the study, and every further one is an
-/// item. Equal studies give equal bytes.
+/// The manifest of a study as JSON lines: the first line describes the study, and each further line an item.
+/// Equal studies give equal bytes.
 std::string manifest_text(const Study& study);
 
 /// Reads a manifest that manifest_text() wrote. Throws StudyError, with the line number if there is one, for
-/// three faults: the manifest is damaged (its checksum is wrong); a name cannot be the name of a file or
-/// stand in a script; a value in its tables is not the value to which the scene is set.
+/// three faults: the checksum is wrong, so that the manifest is damaged; a name cannot be used as a file name
+/// or in a script; a value in the tables differs from the value to which the scene is set.
 Study read_manifest(const std::filesystem::path& path);
 
 /// Paths of files in the folder of a study.

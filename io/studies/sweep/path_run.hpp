@@ -9,7 +9,7 @@
 
 namespace netloft::studies {
 
-/// The folder of the study, the plugins and the threads with which an item is solved.
+/// The folder of the study, and the plugins and threads that solve an item.
 struct PathContext {
   std::filesystem::path folder;  // the folder of the study
   Registry* registry = nullptr;
@@ -18,8 +18,9 @@ struct PathContext {
 };
 
 /// Solves the points of an item one after another, along a branch of equilibria (branch.hpp). Points with
-/// equal matrix patterns share one ordering and analysis. nullopt if the user interrupts. Throws StudyError
-/// if the item cannot be computed at all, for example because a file has changed since the study was planned.
+/// equal matrix patterns share one ordering and analysis. Returns nullopt if the user interrupts. Throws
+/// StudyError if the item cannot be computed at all, for example because a file has changed since the study
+/// was planned.
 std::optional<ItemRecord> run_path(const Study& study, const StudyItem& item, const PathContext& context);
 
 /// The scene of an item, with the changes of the study and of the item.

@@ -146,7 +146,7 @@ class StudyReader {
       found->is_in_path = true;
       ordered.push_back(*found);
     }
-    // Variables in the path are put last, in the order of the path, because the last variables change
+    // Variables in the path are moved to the end, in the order of the path, because the last variables change
     // fastest.
     std::erase_if(study_.variables, [](const auto& v) { return v.is_in_path; });
     study_.variables.insert(study_.variables.end(), ordered.begin(), ordered.end());

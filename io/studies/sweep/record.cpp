@@ -31,7 +31,7 @@ void require_plain(const StudyFigure& figure) {
                      formats::in_quotes(figure.unit));
 }
 
-/// The names of all figures of a record, each once, in the order of first occurrence.
+/// The names of all figures of a record, each once, in the order in which they first occur.
 class FigureNames {
  public:
   explicit FigureNames(const std::vector<PointRecord>& points) {

@@ -44,8 +44,8 @@ std::string record_text(const ItemRecord& record);
 /// Reads a record back. Throws StudyError with a sentence if it is damaged or belongs to another item.
 ItemRecord read_record(const std::string& text, const StudyItem& item);
 
-/// Reads the record of an item from the folder of its study; nullopt if there is none, or if it cannot be
-/// used. In the second case `fault` says why.
+/// Reads the record of an item from the folder of its study. Returns nullopt if there is no record, or if it
+/// cannot be used; in the second case, `fault` says why.
 std::optional<ItemRecord> find_record(const std::filesystem::path& folder, const StudyItem& item,
                                       std::string& fault);
 

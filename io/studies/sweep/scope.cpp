@@ -28,7 +28,7 @@ Variable variable_in_metres(const char* name, const char* key) {
   return variable;
 }
 
-/// Names of the figures of the boards, which contain the name of their pair in the plan.
+/// Names of the figures of the boards. They contain the name of the pair of boards in the plan.
 struct ScopeFigureNames {
   std::string heel, spread;
 };
@@ -69,24 +69,24 @@ bool is_within(const ScopeRequest& request, const ScopePoint& p) {
   return request.heel.contains(p.heel) && (!request.spread || request.spread->contains(p.spread));
 }
 
-/// For a value that changes from a, within the band, to b: the fraction of the change at which it leaves the
-/// band; 1 if it stays within the band.
+/// For a value that changes from a, which is within the band, to b: the fraction of this change at which the
+/// value leaves the band; 1 if it stays within.
 double leaves_at(const Interval& band, double a, double b) {
   if (band.contains(b)) return 1;
   return !std::isfinite(b) ? 0 : ((b > a ? band.high : band.low) - a) / (b - a);
 }
 
-/// The length of warp at which the boards leave their bands, between a point within and its neighbour
-/// outside.
+/// The length of warp at which the boards leave their bands, between a point within the bands and a
+/// neighbouring point outside.
 double end_between(const ScopeRequest& request, const ScopePoint& in, const ScopePoint& out) {
   double t = leaves_at(request.heel, in.heel, out.heel);
   if (request.spread) t = std::min(t, leaves_at(*request.spread, in.spread, out.spread));
   return in.warp + t * (out.warp - in.warp);
 }
 
-/// Solves all depths. At every depth the length increases from the shortest one. The equilibrium at the
-/// shortest length is followed from depth to depth, so that a fold at larger lengths does not affect the next
-/// depth.
+/// Solves all depths. At every depth, the length increases from the shortest one. The equilibrium at the
+/// shortest length is followed from depth to depth, so that a fold at a larger length does not affect the
+/// next depth.
 class ScopeRun {
  public:
   ScopeRun(const runs::CaseSource& source, Registry& registry, const ScopeRequest& request,
@@ -107,7 +107,7 @@ class ScopeRun {
       row.depth = request_.depths[d];
       try {
         solve(row);
-      } catch (const formats::Interrupted&) {  // interrupted while a scene was read; earlier points are kept
+      } catch (const formats::Interrupted&) {  // interrupted while a scene was read; solved points are kept
       }
       if (row.points.size() == request_.scopes.size()) find_lengths(request_, row);
     }
@@ -170,7 +170,7 @@ class ScopeRun {
   MakeFactorisation make_;
   std::vector<Variable> variables_ = {variable_in_metres("depth", "bed.depth"),
                                       variable_in_metres("warp", "ship.warp.length")};
-  Branch shortest_;  // follows the shortest length from depth to depth
+  Branch shortest_;  // the equilibrium at the shortest length, followed from depth to depth
 };
 
 }  // namespace

@@ -29,7 +29,7 @@ struct ScopeRow {
   double depth = 0;
   std::vector<ScopePoint> points;  // points by increasing warp; complete unless the user interrupted
   std::optional<Interval> warp;    // lengths for which the boards are within their bands
-  // Index of the point, within `warp`, whose heel is nearest to the middle of its band.
+  // Index of the point, among those within `warp`, whose heel is nearest to the middle of its band.
   std::optional<std::size_t> chosen;
   std::vector<std::string> events;  // folds and jumps along the warp lengths
 };
@@ -38,19 +38,19 @@ struct ScopeRow {
 using OnScopePoint = std::function<void(std::size_t, const ScopeRow&, const ScopePoint&)>;
 
 /// Sets `row.warp`, the interval of lengths for which heel and spread are within their bands, and
-/// `row.chosen`. Figures are interpolated linearly between points. If there are several such intervals,
-/// `row.warp` is the one around the chosen point.
+/// `row.chosen`. Heel and spread are interpolated linearly between points. If there are several such
+/// intervals, `row.warp` is the one around the chosen point.
 void find_lengths(const ScopeRequest& request, ScopeRow& row);
 
-/// Finds how long the warps should be at each depth, for a scene with a ship, a bed and one pair of boards.
-/// Follows the equilibrium over lengths of warp, depth by depth (branch.hpp). After an interruption, unsolved
-/// points are missing, and so are the lengths for the interrupted depth. Throws std::invalid_argument with a
+/// Finds, for each depth, how long the warps should be, for a scene with a ship, a bed and one pair of
+/// boards. Follows the equilibrium over lengths of warp, depth by depth (branch.hpp). After an interruption,
+/// unsolved points and the lengths for the interrupted depth are missing. Throws std::invalid_argument with a
 /// sentence for other scenes, and if the scene cannot be read at any length.
 std::vector<ScopeRow> find_scope(const runs::CaseSource& source, Registry& registry,
                                  const ScopeRequest& request, const runs::Watch& watch,
                                  const OnScopePoint& on_point = {});
 
-/// A picture of the lengths of warp over depth: SVG or an HTML page.
+/// A picture of the lengths of warp as a function of depth: SVG or an HTML page.
 std::string draw_scope(const std::string& scene, const std::vector<ScopeRow>& rows, bool as_page);
 
 }  // namespace netloft::studies

@@ -28,8 +28,8 @@ std::size_t product_of(const Chosen& chosen) {
                          [](std::size_t n, const DesignVariable* v) { return n * count_of(*v); });
 }
 
-/// All combinations of the values of `chosen`, the last variable changing fastest. `to_and_fro`: a variable
-/// runs backwards on every other pass, so that neighbouring combinations differ by one value.
+/// All combinations of the values of `chosen`; the last variable changes fastest. If `to_and_fro`, a variable
+/// runs backwards on every other pass, so that neighbouring combinations differ in one value only.
 std::vector<Choice> all_with_all(const Chosen& chosen, bool to_and_fro) {
   std::vector<Choice> all(product_of(chosen), Choice(chosen.size()));
   std::size_t below = 1;  // number of combinations of the later variables
@@ -44,7 +44,7 @@ std::vector<Choice> all_with_all(const Chosen& chosen, bool to_and_fro) {
   return all;
 }
 
-/// The choice of listed values of an item outside the path, and the choices of its points in the path.
+/// The listed values of an item outside the path, and those of its points in the path, as choices.
 struct Combined {
   Choice item;
   std::vector<Choice> points;
@@ -57,8 +57,8 @@ std::vector<Combined> combine_grid(const Chosen& of_items, const Chosen& of_path
   return all;
 }
 
-/// Combines the listed values of variables row by row: the first of each, the second of each, and so on. Rows
-/// with equal values outside the path are points of one item.
+/// Combines the listed values of variables row by row: the first value of each variable, then the second of
+/// each, and so on. Rows with equal values outside the path are points of one item.
 std::vector<Combined> combine_list(const Chosen& of_items, const Chosen& of_path) {
   const Chosen& any = of_items.empty() ? of_path : of_items;
   std::vector<Combined> all;
@@ -160,7 +160,7 @@ double count_points(const StudyFile& file) {
   for (const DesignVariable& v : file.variables) {
     if (v.is_sampled()) continue;
     points *= static_cast<double>(count_of(v));
-    if (file.combination == Combination::list) break;  // all listed variables have equally many values
+    if (file.combination == Combination::list) break;  // all listed variables have the same number of values
   }
   return points;
 }

@@ -56,8 +56,8 @@ inline constexpr double kMostPoints = 1e7;
 double count_points(const StudyFile& file);
 
 /// Makes the items and points of a study by combining the values of the variables of its file. There is one
-/// item for each sample and each combination of listed values outside the path, in the order of the file,
-/// samples changing fastest. The points of an item are the combinations of values in the path. From one point
+/// item for each combination of a sample and listed values outside the path, in the order of the file;
+/// samples change fastest. The points of an item are the combinations of values in the path. From one point
 /// to the next, only one variable changes, to a neighbouring value. `files` are the files of the scene.
 Study make_study(const StudyFile& file, const std::string& scene,
                  std::vector<std::pair<std::string, std::string>> files);

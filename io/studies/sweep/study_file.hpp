@@ -10,8 +10,8 @@
 
 namespace netloft::studies {
 
-/// How listed values of several variables are combined: all combinations (grid), or the first values, the
-/// second values and so on (list).
+/// How listed values of several variables are combined. grid: all combinations; list: the first value of
+/// each, the second value of each, and so on.
 enum class Combination { grid, list };
 
 struct DesignVariable {

@@ -13,7 +13,7 @@ namespace netloft::studies {
 
 namespace {
 
-constexpr std::size_t kMostLines = 8;  // number of distinguishable markers
+constexpr std::size_t kMostLines = 8;  // more markers could not be told apart
 
 std::string axis_title(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "1" ? name : name + " [" + unit + "]";
@@ -73,8 +73,8 @@ class Plotter {
     return values;
   }
 
-  /// The column of the variable whose values are distinguished by lines; the number of columns if there is no
-  /// such variable.
+  /// The column of the variable that has a line for each of its values; the number of columns if there is
+  /// none.
   std::size_t choose_lines(const std::string& wanted) const {
     const std::size_t none = table_.columns.size();
     if (!wanted.empty()) {

@@ -12,10 +12,10 @@ struct PlotRequest {
   std::vector<std::string> figures;  // empty: all figures of the gear as a whole
   std::string over;  // variable on the axis; empty: the first one in the path, else the first number
   std::string by;    // variable with one line per value; empty: the next listed one
-  std::map<std::string, std::string> at;  // held values of other listed variables, as the table has them
+  std::map<std::string, std::string> at;  // values of other listed variables, written as in the table
 };
 
-/// The ends of bands over samples, as quantiles; nine tenths of the samples lie between them.
+/// The ends of bands over samples, as quantiles. Nine tenths of the samples lie between these.
 inline constexpr double kBandLow = 0.05, kBandHigh = 0.95;
 
 /// Makes one plot for each figure (a number that every point reports). A listed variable has given values; a

@@ -14,7 +14,7 @@ namespace netloft::studies {
 
 namespace {
 
-/// The reason that a worker recorded for an item that it could not compute; empty if there is none.
+/// The reason, recorded by a worker, why an item could not be computed; empty if there is none.
 std::string failure_of(const std::filesystem::path& folder, const StudyItem& item) {
   try {
     const std::string text = formats::read_whole(failure_path(folder, item)).value_or("");

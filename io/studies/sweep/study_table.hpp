@@ -10,7 +10,7 @@ struct StudyRow {
   // Numbers of the item, of its sample and of the point, from 1; sample 0: nothing was sampled.
   std::size_t item = 0, sample = 0, point = 0;
   std::vector<VariableValue> values;  // values of the variables, by column
-  PointRecord record;                 // record of the point; its status is "missing" if the item is missing
+  PointRecord record;                 // record of the point; "missing" as its status: the item is missing
   std::vector<double> figures;        // value of each figure of the table; NaN if the point does not have it
 };
 

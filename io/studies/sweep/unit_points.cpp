@@ -44,8 +44,8 @@ Points sobol(std::size_t count, std::size_t dimensions, std::uint64_t seed) {
   for (std::size_t d = 0; d < dimensions; ++d)
     shift[d] = scenes::Dice("sobol " + std::to_string(d), seed).next();
   Points points(count, std::vector<double>(dimensions));
-  // The engine skips the origin, which is the first point of the sequence. It is added here, because sets of
-  // 2^k points fill the cube evenly only with this point.
+  // The engine skips the origin, the first point of the sequence. It is added here, because sets of 2^k
+  // points fill the cube evenly only with the origin.
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t d = 0; d < dimensions; ++d)
       points[i][d] = in_open_interval((i == 0 ? 0 : engine()) ^ shift[d]);

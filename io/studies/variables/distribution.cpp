@@ -18,7 +18,7 @@ double normal_below(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2)
 
 }  // namespace
 
-// Above one half, F⁻¹(q) = −F⁻¹(1 − q) is more accurate, because 1 − q is exact there.
+// For q above one half, F⁻¹(q) = −F⁻¹(1 − q) is more accurate, because 1 − q is exact.
 double normal_quantile(double q) {
   return q <= 0.5 ? -std::numbers::sqrt2 * boost::math::erfc_inv(2 * q)
                   : std::numbers::sqrt2 * boost::math::erfc_inv(2 * (1 - q));

@@ -5,13 +5,13 @@
 
 namespace netloft::studies {
 
-/// The distribution of the samples of a variable over its interval from `low` to `high`. A uniformly
-/// distributed p in (0, 1) is mapped to a value of the variable, with F the standard normal distribution
+/// The distribution of the samples of a variable over its interval from `low` to `high`. It maps a number p,
+/// uniformly distributed in (0, 1), to a value of the variable. F is the standard normal distribution
 /// function:
 ///   uniform       low + p (high − low)                                                     (1)
 ///   logarithmic   low (high/low)^p, low > 0                                                (2)
 ///   normal        mean + deviation F⁻¹(q), q from F at the low end to F at the high end    (3)
-/// In (3), F at an end is F((end − mean)/deviation): the normal distribution is cut off at both ends.
+/// In (3), "F at an end" means F((end − mean)/deviation): the normal distribution is cut off at both ends.
 struct Distribution {
   enum class Kind { uniform, logarithmic, normal };
   Kind kind = Kind::uniform;
@@ -21,7 +21,7 @@ struct Distribution {
 /// F⁻¹ of (3), the quantile of the standard normal distribution; 0 < q < 1.
 double normal_quantile(double q);
 
-/// The value of the variable below which a fraction p of all samples lies.
+/// The value of the variable below which the fraction p of all samples lies.
 double quantile(const Distribution& distribution, const Interval& interval, double p);
 
 /// Reads the distribution of a variable with an interval from the table of that variable:

@@ -20,7 +20,7 @@ Variable read_variable(const std::string& name, formats::TableReader table,
                        VariedBy by = VariedBy::values_or_interval);
 
 /// Reads a number such as the mean of a distribution, in the unit of the variable. If the number is missing
-/// or wrong, reports this and returns nullopt.
+/// or wrong, reports an error and returns nullopt.
 std::optional<double> read_number_of(const Variable& variable, formats::TableReader& table,
                                      const std::string& key, const std::string& doc);
 

@@ -27,7 +27,7 @@ struct Interval {
   bool contains(double number) const { return number >= low && number <= high; }
 };
 
-/// Whether a text can be the name of a variable, that is, consists of letters, digits, - and _. Such a name
+/// Whether a text can be the name of a variable: it must consist of letters, digits, - and _. The name
 /// becomes a column of tables, a path in result files, and an option such as --at NAME=VALUE.
 bool is_variable_name(const std::string& text);
 
@@ -43,7 +43,7 @@ struct Variable {
   std::vector<VariableValue> values;  // listed values in the order of the file; empty if there is an interval
   std::optional<Interval> interval;
 
-  /// Whether numbers between its values are valid: it has an interval, or all listed values are numbers.
+  /// Whether numbers between its values are valid: it has an interval, or all its listed values are numbers.
   bool is_number() const;
   VariableValue value_of(double number) const;
   /// The changes "path=value" for every key, in the syntax of `--set`.
