@@ -12,7 +12,8 @@ constexpr double kMeanLetter =
     0.58;  // mean width of a letter of Noto Sans relative to its size; most other fonts are narrower
 constexpr double kRim = 4;      // least distance of texts from the edge of the drawing
 constexpr double kBetween = 4;  // texts on one line that are closer than this look like one text
-// The largest number of texts for which a free place is searched. A sheet with so many texts is full.
+// Largest number of texts whose places are stored. With so many texts, a sheet is full, and further texts
+// find no free place.
 constexpr std::size_t kMostAvoided = 2000;
 
 double size_of(std::size_t line) { return line == 0 ? Lettering::kNormal : Lettering::kSmall; }

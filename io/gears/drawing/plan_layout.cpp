@@ -131,8 +131,8 @@ class Sheet {
     next_ += (1 + kGap) * (right - left);
   }
 
-  /// A panel to be placed if it has no place yet, its position, and, for a panel of a pair, the x about which
-  /// it is mirrored.
+  /// A panel to be placed if it has no place yet, its position, and, for a panel of a pair, the x of the
+  /// origin of its mirror image.
   struct Next {
     const Panel* panel;
     double x, y, mirror_about;

@@ -9,7 +9,7 @@ namespace netloft::gears {
 
 namespace {
 
-constexpr double kRounding = 0.02;  // a rope whose relative excess over its edges is less is nowhere free
+constexpr double kRounding = 0.02;  // no free part if the excess is a smaller fraction of the rope
 constexpr double kLikely = 0.1;     // score of an edge in its usual direction; two ends that meet score 1
 
 bool crosses(const Gear& gear, const GearRope& rope) {

@@ -199,8 +199,8 @@ class CureTrials {
     return trials;
   }
 
-  /// Adds further values to the best proposals, so that the messages that they cause disappear; nullopt if
-  /// that is impossible.
+  /// Completes one of the best proposals by further values, which remove the messages that the proposal
+  /// causes; nullopt if that is impossible.
   std::optional<Trial> complete(const Diagnostic& message, const std::vector<Trial>& trials) {
     constexpr std::size_t kMostCompleted = 4;
     for (std::size_t i = 0; i < std::min(kMostCompleted, trials.size()); ++i)

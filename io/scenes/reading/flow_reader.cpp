@@ -47,7 +47,7 @@ std::vector<std::uint32_t> chained(std::vector<std::vector<std::uint32_t>> edges
 
 }  // namespace
 
-/// The element type of the flow; nullptr after an error, or if the scene has no flow.
+/// The element type of the flow; nullptr after an error, or if `type` is "none".
 const ElementType* FlowReader::find_type(formats::TableReader& table) const {
   const std::string name =
       read_name(table, "type", "how the net changes the water, such as \"flow/momentum\"");

@@ -95,7 +95,7 @@ class GearParts : public GearSteps {
   /// For each node of the gear: the first part that has this node, whose positions the node gets, and the
   /// number of the node within this part; nullopt as long as no part has the node.
   std::vector<std::optional<Joiner::OwnNode>> first_;
-  // Nodes of the gear in later parts than their first one.
+  // Nodes of the gear as nodes of further parts, not the first one.
   std::vector<std::pair<std::uint32_t, Joiner::OwnNode>> others_;
 };
 
