@@ -53,8 +53,8 @@ bool EnergyWatch::examine(TransientProblem& problem, const MarchState& from, con
   return true;
 }
 
-/// The allowed energy error of a step, the right side of (1) in energy_watch.hpp. In a march for comparison,
-/// it is proportional to the step length.
+/// The allowed energy error of a step, the right side of (1) in energy_watch.hpp, times
+/// `pace`, the factor on all step lengths.
 double EnergyWatch::tolerated() const { return settings_.accuracy * settings_.pace * tried_.scale(); }
 
 bool EnergyWatch::restate(const MarchState& state) {

@@ -50,7 +50,7 @@ void pack(const P& p, double rest_length, double parallel, Lanes& lanes, std::si
   lanes.surface[lane] = p.surface;
 }
 
-/// The N bars of an element as one Member, for solvers in which tensions are unknowns. `P` has EA and
+/// The `parallel` bars of an element as one Member, for solvers with unknown tensions. `P` has EA and
 /// EA_compression of one bar.
 template <class P>
 Member member(const P& p, double rest_length, double parallel) {

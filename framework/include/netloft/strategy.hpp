@@ -5,7 +5,7 @@
 //   static void run(const Parameters&, Search&);
 //
 // that brings a scene to equilibrium with solvers: directly, through easier variants or coarser meshes, or
-// from other initial guesses. It passes every equilibrium of the scene itself to `search.answer`. The host
+// from other initial guesses. It passes every equilibrium of the given scene to `search.answer`. The host
 // counts the work, assesses every stage and chooses among the answers; a strategy does not decide on
 // convergence. With
 //

@@ -90,7 +90,7 @@ void derive_line(CataloguePart& part, formats::TableReader& table) {
   if (n.contains("weight_in_water") && !n.contains("mass")) {
     n["density"] = kSeaWater + n["weight_in_water"] /
                                    (kStandardGravity * std::numbers::pi / 4 * n["diameter"] * n["diameter"]);
-    if (n["density"] <= 0) table.error("weight_in_water", "is less than that of a rope without mass");
+    if (n["density"] <= 0) table.error("weight_in_water", "means that the rope has a mass of 0 or less");
     return;
   }
   if (!has_all(part, {"mass", "material_density"}))

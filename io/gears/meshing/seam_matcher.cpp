@@ -23,10 +23,10 @@ struct Knot {
 // other side.
 constexpr double kBeside = 0.1;
 
-/// The way in which the rows of a seam run.
+/// The direction in which the rows of a seam run.
 struct Way {
-  bool to_starboard = false;  // from port to starboard, so that port sides run the other way
-  bool sides_aft = true;      // whether sides to starboard run aft
+  bool to_starboard = false;  // whether sides of port halves are reversed
+  bool sides_aft = true;      // whether sides of starboard halves run aft
 };
 
 /// Finds which points of sewn edges coincide; the member functions are steps in the order of execution.

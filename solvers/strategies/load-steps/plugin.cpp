@@ -46,7 +46,7 @@ struct LoadSteps {
 NETLOFT_PLUGIN("load-steps", "0.1.0", "From still water to the whole current") {
   auto& s = plugin.strategy<LoadSteps>("load-steps", "From still water to the whole current, by steps");
   using P = LoadSteps::Parameters;
-  s.real("step", &P::step, "1", "first step, a fraction of the current",
+  s.real("step", &P::step, "1", "first fraction of the scene's current",
          {.lo = 1e-6, .hi = 1, .fallback = 0.25});
   s.real("shortest", &P::shortest, "1", "step below which it gives up",
          {.lo = 1e-9, .hi = 1, .fallback = 1.0 / 64});
