@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/plan/plan_reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 
@@ -161,10 +163,16 @@ Pieces read_pieces(const std::string& name, formats::TableReader& table, const C
     table.error("spread", "\"" + spread + "\" is not understood",
                 "give a number of pieces and a rope, an edge or a point, such as \"47 along headrope\" "
                 "or \"2 at footrope.end\"");
+  const double in_spread = pieces.number;
   pieces.number = table.real("number", {.unit = "1",
                                         .doc = "pieces in the whole gear, instead of the number in spread",
-                                        .range = formats::between(1e-3, kMostPieces),
-                                        .fallback = pieces.number});
+                                        .range = {.lo = 0, .hi = kMostPieces, .lo_open = true},
+                                        .fallback = in_spread});
+  if (in_spread > 0 && in_spread != pieces.number)
+    table.diagnostics().warning(table.place("number"),
+                                fmt::format("{}: {:g} pieces, not the {:g} in spread", table.path("number"),
+                                            pieces.number, in_spread),
+                                "leave the number out of spread");
   return pieces;
 }
 

@@ -159,8 +159,11 @@ TEST(Gear, HasAsManyPiecesAsTheKeyNumberSays) {
               std::string::npos)
         << checked.said();
     EXPECT_DOUBLE_EQ(pieces(make_gear(checked.plan, Extent::whole), "top").number, 7.5);
+    EXPECT_EQ(checked.said().find("7.5 pieces, not the 11 in spread") != std::string::npos, spread[0] == '1');
   }
-  EXPECT_GT(check_text(changed_plan("\"11 along headline\"", "\"along headline\"")).diagnostics.errors(), 0);
+  for (const std::string wrong :
+       {"\"along headline\"", "\"11 along headline\"\nnumber = 0", "\"along headline\"\nnumber = -3"})
+    EXPECT_GT(check_text(changed_plan("\"11 along headline\"", wrong)).diagnostics.errors(), 0) << wrong;
 }
 
 TEST(Gear, PiecesStandOnTheirOwnSide) {
