@@ -37,8 +37,8 @@ class TileEvaluator {
   bool visit(std::span<const double> x, const Kinematics& motion, std::size_t family,
              const Evaluate& evaluate, const Visit& visit);
 
-  /// Sets the memory [width][64] into which terms write the next state of the tile that visit() receives
-  /// next.
+  /// Sets the memory [width][64] for the new state of one tile, the tile of the following call of visit().
+  /// The terms write the new state there.
   void take_next_state(double* next) { works_[0]->inputs.extensions.memory.state_new = next; }
 
   const ElementFault& fault() const { return fault_; }

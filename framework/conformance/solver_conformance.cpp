@@ -178,7 +178,8 @@ const std::vector<Check<SolverBench>>& solver_table() {
       {"solves-a-linear-problem",
        solves_a_linear_problem,
        {"says-progress"},
-       "a chain of springs: check the sign of the step. r is the gradient of the energy, minus the force"},
+       "a chain of springs: check the sign of the step. r is the gradient of the energy, and the force is "
+       "-r"},
       {"solves-a-stiffening-problem",
        solves_a_stiffening_problem,
        {"solves-a-linear-problem"},

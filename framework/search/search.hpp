@@ -56,8 +56,8 @@ Solution find_equilibrium(const VariantSource& source, const SearchOptions& opti
 std::string explain_strategy(const VariantSource& source, const SearchOptions& options,
                              const StrategyUse& strategy);
 
-/// The reason why a strategy cannot search this scene: the strategy, or one that its parameters name, needs
-/// features that the scene does not have. nullopt if there is none.
+/// Says why a strategy cannot search this scene: it needs features that the scene does not have, or another
+/// strategy that is named in its parameters needs them. nullopt if the strategy can search the scene.
 std::optional<std::string> why_unfit(const VariantSource& source, const SearchOptions& options,
                                      const StrategyUse& strategy);
 

@@ -38,8 +38,9 @@ class Tangent {
   ///   K ddx = −(r_after(x + θ dx) − r_before(x + (θ − 1) dx))                             (2)
   /// nullopt as for towards().
   std::optional<std::vector<double>> between(PreparedScene& before, PreparedScene& after, double theta);
-  /// The positions at which the scene `near` is in equilibrium, to second order: one step with K from
-  /// positions y near its equilibrium, y − K⁻¹ r_near(y). nullopt as for towards().
+  /// The positions at which the scene `near` is in equilibrium, with an error of second order. They are
+  /// y − K⁻¹ r_near(y), one step with K from positions y that are already close to this equilibrium. nullopt
+  /// as for towards().
   std::optional<std::vector<double>> corrected(PreparedScene& near, const std::vector<double>& y);
 
   /// Relative growth of the change dx = between(before, after, theta) from one such change to the next, if dx

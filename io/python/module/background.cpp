@@ -18,8 +18,8 @@ namespace {
 
 // Python handles signals only when asked. It is asked so often that a signal is answered within 0.2 s.
 constexpr std::chrono::milliseconds kBetweenQuestions{20};
-// Time for which an interrupted call waits. Most steps of a search are shorter, so that the shape is there
-// when the call ends.
+// Time for which an interrupted call waits: with kBetweenQuestions, half of the 0.2 s. Most steps of a search
+// are shorter, so that the shape is there when the call ends.
 constexpr std::chrono::milliseconds kPatience{80};
 
 /// Counts threads whose work was left.

@@ -93,7 +93,7 @@ NamedScalar spoken_figure(const NumberDifference& d, double value, double error)
   return in_spoken_unit(figure);
 }
 
-/// A name of a number in words: "headline height" for "gear/mouth/headline_height".
+/// Converts the name of a number to plain words: "gear/mouth/headline_height" becomes "headline height".
 std::string words_of(const std::string& name) {
   const std::string rest = name.substr(name.find('/') + 1);
   const std::string principal = principal_name(rest);

@@ -130,7 +130,8 @@ Checkpoint unpack_checkpoint(const std::string& bytes) {
   Checkpoint checkpoint;
   take(from, checkpoint.state);
   take(from, checkpoint.findings);
-  if (!from.is_at_end()) throw formats::FileError("it is damaged: there is more than a checkpoint");
+  if (!from.is_at_end())
+    throw formats::FileError("it is damaged: there is more data after the end of the checkpoint");
   return checkpoint;
 }
 

@@ -11,18 +11,18 @@ namespace netloft::studies {
 ///   |f₃ − f₂|/|f₂ − f₁| = (h₃ᵖ − h₂ᵖ)/(h₂ᵖ − h₁ᵖ),   h₃ > h₂ > h₁    the observed order p   (2)
 ///   f* = f₁ + w (f₁ − f₂),   w = h₁ᵖ/(h₂ᵖ − h₁ᵖ)                                            (3)
 ///   e = 1.25 |f − f*|                                           if similar meshes converge  (4)
-///   e = 2 max(|f − f*|, |f − f* by p = 1 from f₃ and f₁|, |f − f_k|)             elsewhere  (5)
+///   e = 2 max(|f − f*|, |f − f°|, |f − f_k|)                                     elsewhere  (5)
 /// f is a number computed on a mesh of width h (in any unit), f* its limit for h → 0, p the order of
 /// convergence. f₁, f₂, f₃ are the values on three meshes, f₁ on the finest, and f_k any of them. e estimates
 /// the error of f on a mesh that the caller names. If p is credible, (4) holds for similar meshes, each of
 /// which divides the cells of the next coarser one evenly. Gears of netting are triangulated anew for each
 /// mesh, and the scatter between such meshes makes observed orders unreliable. For such meshes (5) takes the
-/// largest of three differences: from the limit (3), if p is credible; from a limit with p = 1 between the
-/// outer meshes, because gears usually converge with first order; and from the values f_k on the other
-/// meshes. The safety factor 1.25 is that of P. J. Roache, Verification and Validation in Computational
-/// Science and Engineering, 1998, chapter 5, for three meshes; he and L. Eça and M. Hoekstra, J. Comput.
-/// Phys. 262 (2014), use 3 without a credible order. The factor 2 is the smallest whole number for which 95
-/// of 100 errors of gears are within e (tests/bench/error_bars.md).
+/// largest of three differences: from the limit (3), if p is credible; from f°, the limit with p = 1 from f₃
+/// and f₁, because gears usually converge with first order; and from the values f_k on the other meshes. The
+/// safety factor 1.25 for three meshes is from P. J. Roache, Verification and Validation in Computational
+/// Science and Engineering, 1998, chapter 5. For an order that is not credible, Roache uses a factor of 3,
+/// and so do L. Eça and M. Hoekstra, J. Comput. Phys. 262 (2014). The factor 2 is the smallest whole number
+/// for which 95 of 100 errors of gears are within e (tests/bench/error_bars.md).
 
 /// The order p of (2), from the magnitudes of the differences f₃ − f₂ and f₂ − f₁; NaN unless both are
 /// positive and some p in (0, 20) satisfies (2).

@@ -252,8 +252,8 @@ std::optional<std::string> why_no_derivatives(const scenes::LoadedScene& loaded)
     return "derivatives are those of an equilibrium, but this scene is a motion; add --set "
            "analysis.kind=static";
   if (!loaded.scene.settings.empty())
-    return "derivatives keep all numbers of the scene but one, and this scene finds a length by itself; "
-           "leave out ship.warp.tension";
+    return "derivatives change one number of the scene and hold all others constant, but this scene finds a "
+           "length by itself; leave out ship.warp.tension";
   return std::nullopt;
 }
 
