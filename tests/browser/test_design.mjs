@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from 'node:assert/strict';
 import {spawn} from 'node:child_process';
-import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
@@ -127,6 +127,32 @@ test('a click on a part opens its numbers', async () => {
   assert.ok(await sliderOf(page, 'ropes.headrope.length').isVisible());
   await page.evaluate(() => [...document.querySelectorAll('#pane-plan text')].find((t) => t.textContent === 'top-body').dispatchEvent(new MouseEvent('click', {bubbles: true, clientX: 0, clientY: 0})));
   assert.notEqual(await page.inputValue('#filter'), 'headrope');
+});
+
+test('what is shown becomes what a run of the text finds', async () => {
+  const {address} = await serve(), {page, seen} = await open(browser.context, address), first = await revision(page);
+  await openTable(page, 'tow');
+  await sliderOf(page, 'tow.speed').focus();
+  for (let i = 0; i < 5; ++i) await page.keyboard.press('ArrowRight');
+  await page.waitForFunction((r) => Number(document.documentElement.dataset.confirmed) > r, first, {timeout: 30000});
+  assert.match(await page.textContent('#said'), /a run of the text finds the same/);
+  assert.ok(await page.isHidden('#notice'));
+  assert.deepEqual(seen, {errors: [], requests: []});
+});
+
+test('the page outlives its solver', async () => {
+  const {address, process: program} = await serve(), {page, seen} = await open(browser.context, address), h = await height(page);
+  const solver = readdirSync(`/proc/${program.pid}/task`).flatMap((task) => readFileSync(`/proc/${program.pid}/task/${task}/children`, 'utf8').split(' ').filter(Boolean));
+  assert.equal(solver.length, 1);
+  process.kill(Number(solver[0]), 'SIGKILL');
+  await openTable(page, 'tow');
+  await sliderOf(page, 'tow.speed').focus();
+  await page.keyboard.press('ArrowRight');
+  await page.waitForSelector('#notice:not([hidden])');
+  await page.waitForFunction(() => /signal 9/.test(document.getElementById('notice-text').textContent));
+  await page.keyboard.press('ArrowRight');
+  await page.waitForFunction((before) => window.netloftDesigner.shape.figures.find((f) => f.name === 'mouth/headline_height').value < before, h, {timeout: 30000});
+  assert.deepEqual(seen.requests, []);
 });
 
 test('questions are answered', async () => {

@@ -4,26 +4,12 @@
 #include "io/results/file/provenance.hpp"
 #include "io/results/file/write_result.hpp"
 
-#include <cstdlib>
 #include <system_error>
 
 namespace netloft::design {
 
-EquilibriumStore::EquilibriumStore() {
-  std::string name = (std::filesystem::temp_directory_path() / "netloft-design-XXXXXX").string();
-  if (!::mkdtemp(name.data()))
-    throw std::filesystem::filesystem_error("no temporary folder can be made", name,
-                                            std::error_code(errno, std::generic_category()));
-  folder_ = name;
-}
-
-EquilibriumStore::~EquilibriumStore() {
-  std::error_code none;
-  std::filesystem::remove_all(folder_, none);
-}
-
 results::StoredShape EquilibriumStore::shape_of(const Equilibrium& of) const {
-  const std::filesystem::path path = folder_ / (of.scene->loaded().scene.name + ".hdf");
+  const std::filesystem::path path = folder_.path() / (of.scene->loaded().scene.name + ".hdf");
   std::error_code none;
   std::filesystem::remove(path, none);
   formats::ResultFile file(path);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/design/live/temporary_folder.hpp"
 #include "io/results/figures/make_result.hpp"
 #include "io/results/file/stored_shape.hpp"
 #include "io/runs/prepared_scene.hpp"
 
-#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -18,20 +18,14 @@ struct Equilibrium {
   std::vector<double> points;  // positions of the nodes, 3 each [m]
 };
 
-/// Writes equilibria as result files, from which pictures are made, to a temporary private folder. The folder
-/// is removed with this object.
+/// Writes equilibria as result files, from which pictures are made, to a temporary folder.
 class EquilibriumStore {
  public:
-  EquilibriumStore();
-  ~EquilibriumStore();
-  EquilibriumStore(const EquilibriumStore&) = delete;
-  EquilibriumStore& operator=(const EquilibriumStore&) = delete;
-
   /// Throws formats::FileError if the disk is full, for example.
   results::StoredShape shape_of(const Equilibrium& of) const;
 
  private:
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 }  // namespace netloft::design

@@ -67,6 +67,8 @@ const char* name_of(Outcome::Status status) {
       return "not converged";
     case Outcome::Status::interrupted:
       return "interrupted";
+    case Outcome::Status::ended:
+      return "solver ended";
   }
   return "";
 }
@@ -82,7 +84,7 @@ Outcome LiveScene::follow(const std::filesystem::path& file, const formats::Stor
   const formats::InterruptibleWork reading(interrupt);
   formats::CollectedWords collected;
   try {
-    auto scene = prepare(source_, outcome);
+    auto scene = prepare(source_, factorisations(), outcome);
     collected.by_path.merge(words_);
     words_ = std::move(collected.by_path);
     if (!scene) return outcome;
@@ -94,17 +96,14 @@ Outcome LiveScene::follow(const std::filesystem::path& file, const formats::Stor
         outcome.has_own_mesh = false;
       }
     const std::vector<double> expected = expected_place(*scene, moved, outcome.has_same_mesh);
-    const runs::Watch watch{.interrupt = &interrupt};
+    const runs::Watch watch = watch_with(interrupt);
     auto next = std::make_unique<Equilibrium>();
     next->scene = scene;
     next->solution = expected.empty() ? runs::find_equilibrium(*scene, watch)
                                       : runs::find_equilibrium_near(*scene, expected, watch);
-    put_verdict(next->solution, outcome);
-    if (outcome.status != Outcome::Status::converged) return outcome;
-    next->points = scene->assembler().node_positions(next->solution.x);
+    if (!take_verdict(*next, outcome)) return outcome;
+    outcome.is_as_run = !last_;
     if (outcome.has_same_mesh && moved) compare(*next, expected, outcome);
-    next->result = results::make_result(scene->loaded(), scene->assembler(), next->solution);
-    if (!first_) first_ = std::make_unique<Equilibrium>(*next);
     last_ = std::move(next);
     tangents_.clear();
   } catch (const formats::Interrupted&) {
@@ -113,11 +112,46 @@ Outcome LiveScene::follow(const std::filesystem::path& file, const formats::Stor
   return outcome;
 }
 
+/// Completes an equilibrium that was sought. Returns whether it is one.
+bool LiveScene::take_verdict(Equilibrium& next, Outcome& outcome) const {
+  put_verdict(next.solution, outcome);
+  if (outcome.status != Outcome::Status::converged) return false;
+  next.points = next.scene->assembler().node_positions(next.solution.x);
+  next.result = results::make_result(next.scene->loaded(), next.scene->assembler(), next.solution);
+  return true;
+}
+
+/// The scene is prepared without analyses of earlier factorisations, because they change the last bits.
+Outcome LiveScene::rerun(const std::atomic<bool>& interrupt) {
+  Outcome outcome;
+  const formats::InterruptibleWork reading(interrupt);
+  try {
+    auto next = std::make_unique<Equilibrium>();
+    next->scene = prepare(source_, {}, outcome);
+    if (!next->scene) return outcome;
+    outcome.has_same_mesh = runs::have_same_topology(*last_->scene, *next->scene);
+    next->solution = runs::find_equilibrium(*next->scene, watch_with(interrupt));
+    if (!take_verdict(*next, outcome)) return outcome;
+    outcome.is_as_run = true;
+    if (outcome.has_same_mesh)
+      compare(*next, next->scene->assembler().displacements_to(last_->solution.x), outcome);
+    last_ = std::move(next);
+    tangents_.clear();
+  } catch (const formats::Interrupted&) {
+    outcome.status = Outcome::Status::interrupted;
+  }
+  return outcome;
+}
+
+MakeFactorisation LiveScene::factorisations() const {
+  return last_ ? last_->scene->factorisations() : MakeFactorisation{};
+}
+
 /// Reads the scene; nullptr if the text has errors, which the outcome then contains.
 std::shared_ptr<runs::PreparedScene> LiveScene::prepare(const runs::CaseSource& source,
+                                                        const MakeFactorisation& make,
                                                         Outcome& outcome) const {
-  auto scene = std::make_shared<runs::PreparedScene>(
-      source, registry_, last_ ? last_->scene->factorisations() : MakeFactorisation{});
+  auto scene = std::make_shared<runs::PreparedScene>(source, registry_, make);
   const auto state = scene->prepare();
   outcome.diagnostics = scene->diagnostics();
   outcome.reading_seconds = scene->seconds().reading + scene->seconds().setup;
@@ -269,7 +303,7 @@ std::unique_ptr<Equilibrium> LiveScene::neighbour(const Equilibrium& from, const
   runs::CaseSource source = from.scene->source();
   formats::append(source.changes, number.to(value));
   auto next = std::make_unique<Equilibrium>();
-  next->scene = prepare(source, outcome);
+  next->scene = prepare(source, factorisations(), outcome);
   if (!next->scene) {
     why_not = outcome.sentence;
     for (const formats::Diagnostic& said : outcome.diagnostics.messages())
@@ -279,8 +313,7 @@ std::unique_ptr<Equilibrium> LiveScene::neighbour(const Equilibrium& from, const
   const auto u = runs::have_same_topology(*from.scene, *next->scene)
                      ? next->scene->assembler().displacements_to(from.solution.x)
                      : carried_from(from, *next->scene);
-  next->solution =
-      runs::continue_equilibrium(*next->scene, u, kIterationsOfNeighbour, {.interrupt = &interrupt});
+  next->solution = runs::continue_equilibrium(*next->scene, u, kIterationsOfNeighbour, watch_with(interrupt));
   if (next->solution.status == SolveStatus::interrupted) throw formats::Interrupted{};
   if (next->solution.status != SolveStatus::converged) {
     why_not = std::string(netloft::name_of(next->solution.status)) + ": " + next->solution.reason;

@@ -3,6 +3,7 @@
 #include "io/design/live/equilibrium.hpp"
 #include "io/formats/toml/document.hpp"
 #include "io/formats/toml/number_words.hpp"
+#include "io/runs/watch.hpp"
 #include "io/studies/sensitivity/sensitivity.hpp"
 
 #include <atomic>
@@ -35,12 +36,22 @@ struct Jump {
 
 /// The result of reading a text and searching for its equilibrium.
 struct Outcome {
-  enum class Status { wrong_input, refused, no_equilibrium_sought, converged, not_converged, interrupted };
+  // `ended`: the process of the solver has ended
+  enum class Status {
+    wrong_input,
+    refused,
+    no_equilibrium_sought,
+    converged,
+    not_converged,
+    interrupted,
+    ended
+  };
   Status status = Status::wrong_input;
   formats::Diagnostics diagnostics = {};  // messages about the text
   std::string sentence = {}, at_fault = {};
   bool has_same_mesh = false;  // whether the nodes are those of the last equilibrium
   bool has_own_mesh = true;    // whether the mesh is made from this text, not kept from the last equilibrium
+  bool is_as_run = false;      // whether a run of the text, from its sketch, has found the equilibrium
   std::optional<double> ghost_off = {};  // largest distance from the predicted place, as Jump::off [m]
   std::optional<Jump> jump = {};
   double reading_seconds = 0, solving_seconds = 0;
@@ -64,10 +75,12 @@ class LiveScene {
                  const std::optional<MovedNumber>& moved, const std::atomic<bool>& interrupt,
                  Mesh mesh = Mesh::own);
 
-  /// The last equilibrium, and the first one, with which later ones are compared; nullptr before there is
-  /// any.
+  /// Finds the equilibrium of the last text from its sketch, exactly as a run does, and takes it in place of
+  /// the last one. If they differ noticeably, the outcome has a jump. There must be an equilibrium.
+  Outcome rerun(const std::atomic<bool>& interrupt);
+
+  /// The last equilibrium; nullptr before there is any.
   const Equilibrium* last() const { return last_.get(); }
-  const Equilibrium* first() const { return first_.get(); }
 
   /// The tangents at the last equilibrium for a number of its scene. They are computed only once for each
   /// number. Throws Refused if there is no such number, or no equilibrium.
@@ -92,11 +105,20 @@ class LiveScene {
   /// A number of the scene of the last equilibrium. Throws Refused.
   studies::SceneNumber number(const std::string& path);
 
+  /// It is told the processor time that a search may take (runs::Watch::on_budget).
+  std::function<void(double)> on_budget;
+
  private:
-  std::shared_ptr<runs::PreparedScene> prepare(const runs::CaseSource& source, Outcome& outcome) const;
+  std::shared_ptr<runs::PreparedScene> prepare(const runs::CaseSource& source, const MakeFactorisation& make,
+                                               Outcome& outcome) const;
   std::shared_ptr<runs::PreparedScene> on_last_mesh() const;
   std::vector<double> expected_place(const runs::PreparedScene& scene,
                                      const std::optional<MovedNumber>& moved, bool has_same_mesh);
+  MakeFactorisation factorisations() const;
+  runs::Watch watch_with(const std::atomic<bool>& interrupt) const {
+    return {.interrupt = &interrupt, .on_budget = on_budget};
+  }
+  bool take_verdict(Equilibrium& next, Outcome& outcome) const;
   void compare(const Equilibrium& next, const std::vector<double>& expected, Outcome& outcome);
   std::vector<double> carried_from(const Equilibrium& from, const runs::PreparedScene& to) const;
   const Equilibrium& need_equilibrium() const;
@@ -105,7 +127,7 @@ class LiveScene {
   std::map<std::string, formats::NumberWords> words_;
   Registry& registry_;
   runs::CaseSource source_;  // the last text, which may contain errors
-  std::unique_ptr<Equilibrium> last_, first_;
+  std::unique_ptr<Equilibrium> last_;
   std::vector<std::unique_ptr<Tangents>> tangents_;  // at last_
 };
 

@@ -3,6 +3,7 @@
 // server keeps.
 
 const REST = 70;  // milliseconds after the last move of a slider; then the search for the equilibrium begins
+const LONG_SEARCH = 1500;  // milliseconds after which a search can be stopped
 const LONG_REST = 350;  // milliseconds after which picture, checks and plan are requested, too
 
 class Designer {
@@ -28,6 +29,7 @@ class Designer {
       if (as) { const state = await this.server.ask('save', {as}); this.showState(state); this.say(`written: ${state.written.join(', ')}`); }
     });
     press('go-back', async () => { $('notice').hidden = true; this.showState(await this.server.ask('undo')); });
+    press('stop', async () => { $('stop').hidden = true; await this.server.ask('stop'); });
     press('dismiss', async () => { $('notice').hidden = true; });
     $('set-form').addEventListener('submit', (event) => { event.preventDefault(); this.apply({set: $('set').value}); });
     document.addEventListener('keydown', (event) => {
@@ -96,7 +98,15 @@ class Designer {
 
   // ---- answers
 
+  /** A search that takes long can be stopped; one that does not return ends with its process. */
+  offerStop() {
+    clearTimeout(this.stopTimer);
+    this.stopTimer = setTimeout(() => { $('stop').hidden = false; }, LONG_SEARCH);
+  }
+
   async solved(outcome) {
+    clearTimeout(this.stopTimer);
+    $('stop').hidden = true;
     if (outcome.revision < (this.wanted || 0)) return;
     if (outcome.status === 'converged') await this.takeShape(outcome);
     else this.takeFailure(outcome);
@@ -104,7 +114,7 @@ class Designer {
     this.longRest = setTimeout(() => this.attempt(() => this.followUp(outcome)), this.shape.viewer || this.shape.isFlat ? LONG_REST : 0);
   }
 
-  async takeShape(outcome) {
+  async takeShape(outcome, clearsNotice = true) {
     await this.shape.take(outcome);
     if (this.begun) { this.times.push(performance.now() - this.begun); this.begun = null; }
     this.moving = null;
@@ -114,10 +124,25 @@ class Designer {
     const ms = Math.round(1000 * (outcome.seconds.reading + outcome.seconds.solving));
     this.say(`equilibrium found in ${ms} ms`);
     if (outcome.jump) this.warn(`The gear jumped: it is ${formatNumber(outcome.jump.off, 3)} m from where the slider's tangent led. ${outcome.jump.why}.`);
-    else $('notice').hidden = true;
+    else if (clearsNotice) $('notice').hidden = true;
     const held = document.activeElement && document.activeElement.closest && document.activeElement.closest('.one-number');
     if (held) this.shape.prepare(held.dataset.path);
     document.documentElement.dataset.revision = String(outcome.revision);
+  }
+
+  /** A run of the text from its sketch has ended; its equilibrium is the one that the saved file has. */
+  async confirmed(outcome) {
+    if (this.moving || outcome.revision < (this.wanted || 0)) return;
+    if (outcome.status !== 'converged') {
+      this.warn(`A run of this text from its sketch finds no equilibrium: ${outcome.sentence}. The shape shown was reached from its neighbour.`);
+      return;
+    }
+    const said = $('said').textContent, {jump} = outcome;
+    await this.takeShape({...outcome, jump: null}, false);
+    this.say(`${said}; a run of the text finds ${jump ? 'another one, which is shown' : 'the same'}`);
+    if (jump) this.warn(`A run of this text from its sketch finds another equilibrium, up to ${formatNumber(jump.off, 3)} m away, which is shown now. ${jump.why}.`);
+    document.documentElement.dataset.confirmed = String(outcome.revision);
+    if (!this.shape.isFlat && jump) await this.shape.showPicture(await this.server.ask('picture'));
   }
 
   takeFailure(outcome) {
@@ -167,8 +192,10 @@ class Designer {
     const state = await this.server.ask('state');
     this.showState(state);
     this.server.listen(state.event, {
-      solving: () => this.say('seeking the equilibrium …'),
+      solving: () => { this.say('seeking the equilibrium …'); this.offerStop(); },
       solved: (outcome) => this.attempt(() => this.solved(outcome)),
+      confirmed: (outcome) => this.attempt(() => this.confirmed(outcome)),
+      ended: ({sentence}) => this.warn(`${sentence}. The next change starts another solver.`),
       changed: (changed) => { this.showState(changed); this.say('a file was changed by another program and read again'); },
       progress: ({done, of}) => { $('answer').textContent = `working: ${done} of ${of}`; },
     }, () => this.warn('The program has ended. What was not saved is lost; start netloft design again.'));

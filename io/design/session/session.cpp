@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/design/session/session.hpp"
 
-#include "io/design/session/questions.hpp"
-#include "io/design/session/request_values.hpp"
+#include "io/design/live/live_scene.hpp"
+#include "io/design/solver/request_values.hpp"
 #include "io/formats/files/whole_file.hpp"
 #include "io/formats/units/units.hpp"
 #include "io/formats/work/long_work.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace netloft::design {
 
@@ -16,12 +17,20 @@ namespace {
 constexpr std::size_t kKeptEvents = 64;            // stored; readers that missed more request the state
 constexpr std::chrono::seconds kBetweenLooks{1};   // between checks for changes of files by other programs
 constexpr std::chrono::seconds kLongestWait{600};  // for an outcome
+// Time without a request before the text is run from its sketch. A page that has an equilibrium first asks
+// for the picture, the checks and the report.
+constexpr std::chrono::milliseconds kQuiet{800};
+
+bool has_converged(const Json& outcome) { return outcome["status"] == name_of(Outcome::Status::converged); }
+
+bool was_interrupted(const Json& outcome) {
+  return outcome["status"] == name_of(Outcome::Status::interrupted);
+}
 
 }  // namespace
 
-Session::Session(const std::filesystem::path& scene, const std::filesystem::path& library, Registry& registry,
-                 int threads)
-    : texts_(scene, library), scene_(texts_.file(), registry, threads), worker_([this] { work(); }) {}
+Session::Session(const std::filesystem::path& scene, const std::filesystem::path& library, SolverCall solver)
+    : texts_(scene, library), solver_(std::move(solver)), worker_([this] { work(); }) {}
 
 Session::~Session() {
   end();
@@ -49,25 +58,20 @@ bool Session::is_saved() const {
 }
 
 const std::map<std::string, Session::Request>& Session::requests() {
-  static const std::map<std::string, Request> all{
-      {"state", &Session::state}, {"apply", &Session::apply},   {"undo", &Session::undo},
-      {"redo", &Session::redo},   {"save", &Session::save},     {"check", &Session::check},
-      {"solve", &Session::solve}, {"jvp", &Session::tangent},   {"picture", &Session::picture},
-      {"plan", &Session::plan},   {"report", &Session::report}, {"influences", &Session::influences},
-      {"sweep", &Session::sweep}, {"reach", &Session::reach},   {"range", &Session::range}};
+  static const std::map<std::string, Request> all{{"state", &Session::state}, {"apply", &Session::apply},
+                                                  {"undo", &Session::undo},   {"redo", &Session::redo},
+                                                  {"save", &Session::save},   {"check", &Session::check},
+                                                  {"solve", &Session::solve}, {"run", &Session::run},
+                                                  {"stop", &Session::stop},   {"report", &Session::report}};
   return all;
 }
 
-std::vector<std::string> Session::request_names() {
-  std::vector<std::string> names;
-  for (const auto& [name, request] : requests()) names.push_back(name);
-  return names;
-}
-
 Json Session::answer(const std::string& name, const Json& body) {
+  if (!body.is_object()) throw WrongRequest("the body is not a JSON object");
+  constexpr std::array kOfSolver = {"jvp", "picture", "plan", "influences", "sweep", "reach", "range"};
+  if (std::ranges::find(kOfSolver, name) != kOfSolver.end()) return from_solver(name, body);
   const auto at = requests().find(name);
   if (at == requests().end()) throw WrongRequest("there is no request \"" + name + "\"");
-  if (!body.is_object()) throw WrongRequest("the body is not a JSON object");
   return (this->*at->second)(body);
 }
 
@@ -156,10 +160,9 @@ Json Session::save(const Json& body) {
 }
 
 /// If the request has a text: the errors in its syntax, which are found fast enough for every key press.
-/// Otherwise: all messages about the plan of the session, which the worker computes.
+/// Otherwise: all messages about the plan of the session, which the solver computes.
 Json Session::check(const Json& body) {
-  if (!body.contains("text"))
-    return on_worker([this] { return Json{{"messages", messages_json(scene_.check())}}; });
+  if (!body.contains("text")) return from_solver("check", Json::object());
   formats::StoredTexts texts;
   std::filesystem::path file;
   {
@@ -212,53 +215,35 @@ Json Session::wait_for(std::uint64_t revision) {
   return outcome_;
 }
 
-Json Session::tangent(const Json& body) {
-  const std::string path = text_in(body, "path");
-  return on_worker([this, path] { return tangents_json(scene_.tangents(path), *scene_.last()); });
+/// Waits until the outcome of the present text is that of a run.
+Json Session::run(const Json&) {
+  std::unique_lock lock(mutex_);
+  const std::uint64_t revision = revision_;
+  ++waiting_for_run_;
+  news_.notify_all();
+  events_.wait_for(lock, kLongestWait, [&] { return confirmed_ >= revision || ends_; });
+  --waiting_for_run_;
+  if (confirmed_ < revision) throw formats::Interrupted{};
+  return outcome_;
 }
 
-Json Session::picture(const Json&) {
-  return on_worker([this] { return picture_json(scene_); });
-}
-
-Json Session::plan(const Json&) {
-  return on_worker([this] { return Json{{"svg", scene_.plan_drawing()}}; });
+/// Ends the search, the run or the question that is under way.
+Json Session::stop(const Json&) {
+  const std::lock_guard lock(mutex_);
+  interrupt_ = true;
+  return Json::object();
 }
 
 Json Session::report(const Json&) {
-  return on_worker([this] { return report_json(scene_); });
-}
-
-Json Session::influences(const Json& body) {
-  const std::string figure = text_in(body, "figure");
-  return on_worker([this, figure] {
-    return influences_json(scene_, figure, interrupt_, [this](std::size_t done, std::size_t all) {
-      announce("progress", {{"done", done}, {"of", all}});
-    });
+  return on_worker([this] {
+    Json json = call("report", Json::object());
+    json["figures"] = with_start(std::move(json["figures"]));
+    return json;
   });
 }
 
-Json Session::sweep(const Json& body) {
-  const SweepQuestion question{text_in(body, "path"), number_in(body, "from"), number_in(body, "to"),
-                               static_cast<int>(number_in(body, "points"))};
-  return on_worker([this, question] {
-    return sweep_json(scene_, question, interrupt_, [this](std::size_t done, std::size_t all) {
-      announce("progress", {{"done", done}, {"of", all}});
-    });
-  });
-}
-
-Json Session::reach(const Json& body) {
-  const ReachQuestion question{text_in(body, "figure"), number_in(body, "target"), text_in(body, "path")};
-  return on_worker([this, question] { return reach_json(scene_, question, interrupt_); });
-}
-
-Json Session::range(const Json& body) {
-  RangeQuestion question{text_in(body, "path"), {}};
-  if (body.contains("figure")) question.figure = text_in(body, "figure");
-  if (body.contains("least")) question.least = number_in(body, "least");
-  if (body.contains("largest")) question.largest = number_in(body, "largest");
-  return on_worker([this, question] { return range_json(scene_, question, interrupt_); });
+Json Session::from_solver(const std::string& name, const Json& body) {
+  return on_worker([this, name, body] { return call(name, body); });
 }
 
 // ---- the worker
@@ -268,6 +253,7 @@ Json Session::on_worker(const std::function<Json()>& work) {
   {
     const std::lock_guard lock(mutex_);
     if (ends_) throw formats::Interrupted{};
+    if (confirms_) interrupt_ = true;  // a person waits for this answer, but not for the run
     answer = jobs_.emplace_back(work).get_future();
   }
   news_.notify_all();
@@ -281,12 +267,18 @@ Json Session::on_worker(const std::function<Json()>& work) {
 void Session::work() {
   std::unique_lock lock(mutex_);
   while (!ends_) {
+    const bool is_unconfirmed = confirmed_ < followed_;
     if (followed_ < revision_)
       follow_text(lock);
-    else if (!take_job(lock) && !news_.wait_for(lock, kBetweenLooks, [&] {
-               return ends_ || followed_ < revision_ || !jobs_.empty();
+    else if (take_job(lock))
+      continue;
+    else if (is_unconfirmed && waiting_for_run_ > 0)
+      confirm(lock);
+    else if (!news_.wait_for(lock, is_unconfirmed ? kQuiet : kBetweenLooks, [&] {
+               return ends_ || followed_ < revision_ || !jobs_.empty() ||
+                      (waiting_for_run_ > 0 && confirmed_ < followed_);
              }))
-      look_at_files();
+      is_unconfirmed ? confirm(lock) : look_at_files();
   }
   jobs_.clear();  // requests that still wait get an exception
 }
@@ -302,52 +294,118 @@ bool Session::take_job(std::unique_lock<std::mutex>& lock) {
   return true;
 }
 
+/// The body of a request to the solver that follows the text. The caller must hold the lock.
+Json Session::text_to_follow() const {
+  Json body = {
+      {"file", texts_.file().string()}, {"texts", texts_.own()}, {"moved", nullptr}, {"own_mesh", false}};
+  if (const auto moved = only_move()) body["moved"] = {{"path", moved->path}, {"to", moved->to}};
+  return body;
+}
+
 /// Finds the equilibrium of the newest text: first on the present mesh, so that the shape appears soon, then
-/// on the mesh of the text, so that the equilibrium is the same as that of a run.
+/// on the mesh of the text.
 void Session::follow_text(std::unique_lock<std::mutex>& lock) {
-  const Snapshot text{revision_, texts_.file(), texts_.own(), only_move()};
+  const std::uint64_t revision = revision_;
+  Json body = text_to_follow();
   interrupt_ = false;
   lock.unlock();
-  announce("solving", {{"revision", text.revision}});
-  Outcome outcome;
-  Json json = follow_on(LiveScene::Mesh::kept, text, outcome);
-  if (!outcome.has_own_mesh) {
-    if (outcome.status == Outcome::Status::converged) announce("solved", json);
-    forget_steps(text, outcome);
+  announce("solving", {{"revision", revision}});
+  Json json = outcome_of("follow", body, revision);
+  if (json["own_mesh"] == false && !was_interrupted(json)) {
+    if (has_converged(json)) announce("solved", json);
+    forget_steps(revision, json);
     const Json ghost_off = json["ghost_off"], jump = json["jump"];
-    json = follow_on(LiveScene::Mesh::own, text, outcome);
+    body["own_mesh"] = true;
+    json = outcome_of("follow", body, revision);
     json["ghost_off"] = ghost_off, json["jump"] = jump;  // a prediction on another mesh cannot be compared
   }
-  forget_steps(text, outcome);
+  forget_steps(revision, json);
   lock.lock();
-  words_ = scene_.words();
-  if (outcome.status == Outcome::Status::interrupted && text.revision != revision_) return;
-  followed_ = text.revision;
+  if (was_interrupted(json) && revision != revision_) return;
+  followed_ = revision;
   outcome_ = json;
+  if (!has_converged(json) || json["as_run"] == true) confirmed_ = revision;
   lock.unlock();
   announce("solved", json);
   lock.lock();
 }
 
-/// Forgets the changes of the text that this equilibrium includes.
-void Session::forget_steps(const Snapshot& text, const Outcome& outcome) {
-  if (outcome.status != Outcome::Status::converged) return;
-  const std::lock_guard lock(mutex_);
-  std::erase_if(steps_, [&](const Step& step) { return step.revision <= text.revision; });
+/// Runs the text from its sketch. The equilibrium found takes the place of the last one, so that what is
+/// shown is what a run of the saved text finds.
+void Session::confirm(std::unique_lock<std::mutex>& lock) {
+  const std::uint64_t revision = followed_;
+  interrupt_ = false;
+  confirms_ = true;
+  lock.unlock();
+  const Json json = outcome_of("rerun", Json::object(), revision);
+  lock.lock();
+  confirms_ = false;
+  if (was_interrupted(json)) return;
+  confirmed_ = revision;
+  if (has_converged(json))
+    outcome_ = json;
+  else
+    outcome_["run_failed"] = json["sentence"];
+  lock.unlock();
+  announce("confirmed", json);
+  lock.lock();
 }
 
-/// An exception here is a bug or a failure of the machine: it is reported, and the session continues.
-Json Session::follow_on(LiveScene::Mesh mesh, const Snapshot& text, Outcome& outcome) {
+/// Forgets the changes of the text that this equilibrium includes.
+void Session::forget_steps(std::uint64_t revision, const Json& outcome) {
+  if (!has_converged(outcome)) return;
+  const std::lock_guard lock(mutex_);
+  std::erase_if(steps_, [&](const Step& step) { return step.revision <= revision; });
+}
+
+Json Session::call(const std::string& name, const Json& body) {
+  const auto on_progress = [this](std::size_t done, std::size_t all) {
+    announce("progress", {{"done", done}, {"of", all}});
+  };
   try {
-    outcome = scene_.follow(text.file, text.texts, text.moved, interrupt_, mesh);
-  } catch (const std::exception& e) {
-    outcome = {};
-    outcome.status = Outcome::Status::not_converged;
-    outcome.sentence = e.what();
+    return solver_(name, body, interrupt_, on_progress);
+  } catch (const SolverEnded& e) {
+    announce("ended", {{"sentence", e.what()}});
+    throw;
   }
-  Json json = outcome_json(outcome, scene_);
-  json["revision"] = text.revision;
+}
+
+/// An exception here is a crash, a bug or a failure of the machine: it is reported, and the session
+/// continues.
+Json Session::outcome_of(const std::string& name, const Json& body, std::uint64_t revision) {
+  Outcome failed;
+  Json json;
+  try {
+    json = call(name, body);
+    learn(json);
+  } catch (const std::exception& e) {
+    failed.status =
+        dynamic_cast<const SolverEnded*>(&e) ? Outcome::Status::ended : Outcome::Status::not_converged;
+    failed.sentence = e.what();
+    json = verdict_json(failed);
+  }
+  json["revision"] = revision;
   return json;
+}
+
+/// Takes the words of numbers out of an outcome, and adds the figures of the first equilibrium to its
+/// figures.
+void Session::learn(Json& outcome) {
+  if (outcome.contains("figures")) outcome["figures"] = with_start(std::move(outcome["figures"]));
+  const Json words = outcome.value("words", Json::object());
+  outcome.erase("words");
+  const std::lock_guard lock(mutex_);
+  for (const auto& [path, of] : words.items()) words_[path] = words_in(of);
+}
+
+Json Session::with_start(Json figures) {
+  const bool is_first = start_.empty();
+  for (Json& figure : figures) {
+    const std::string name = figure["name"];
+    if (is_first) start_[name] = figure["value"];
+    figure["start"] = start_.value(name, Json());
+  }
+  return figures;
 }
 
 /// Reads files again that other programs have changed. The caller must hold the lock.

@@ -23,7 +23,7 @@ const formats::Value* next_value(const formats::Value& at, const formats::PathSt
   return member ? &member->value : nullptr;
 }
 
-std::optional<double> number_in(const formats::Value& value) {
+std::optional<double> number_of(const formats::Value& value) {
   if (const auto* real = value.as<double>()) return *real;
   if (const auto* whole = value.as<std::int64_t>()) return static_cast<double>(*whole);
   return std::nullopt;
@@ -99,7 +99,7 @@ std::string spell_path(Path path) {
 }
 
 bool are_same(const formats::Value& a, const formats::Value& b) {
-  if (const auto x = number_in(a), y = number_in(b); x && y) return *x == *y;
+  if (const auto x = number_of(a), y = number_of(b); x && y) return *x == *y;
   if (a.kind() != b.kind()) return false;
   if (const auto* items = a.as<formats::Array>())
     return std::ranges::equal(items->items, b.as<formats::Array>()->items, are_same);

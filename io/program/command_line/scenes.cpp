@@ -47,6 +47,7 @@ void add_design_command(CLI::App& app, Chosen& chosen, const char* name, const c
       ->type_name("FILE.toml");
   design.add_option("--port", o.port, "port of 127.0.0.1; default: any free one")
       ->check(CLI::Range(1, 65535));
+  design.add_flag("--as-solver", o.as_solver)->group("");  // for the process that a design starts itself
   add_opening_options(design, o);
 }
 

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/design/server/design_server.hpp"
+#include "io/design/solver/live_solver.hpp"
+#include "io/design/solver/serve_solver.hpp"
+#include "io/design/solver/solver_process.hpp"
 #include "io/formats/files/installed_folder.hpp"
 #include "io/formats/files/whole_file.hpp"
 #include "io/program/commands/scenes.hpp"
+#include "io/program/session/last_words.hpp"
 #include "io/program/session/print.hpp"
 #include "io/program/session/session.hpp"
+#include "io/program/session/watchdog.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -25,14 +30,48 @@ void print_address(const std::string& address, bool json) {
   flush_answers();
 }
 
+/// The command line of the solver of this design.
+std::vector<std::string> solver_command(const DesignOptions& options) {
+  std::vector<std::string> words = {"/proc/self/exe", "serve", "--as-solver", "--threads",
+                                    std::to_string(threads_for(options.threads))};
+  for (const std::string& folder : options.plugins) words.insert(words.end(), {"--plugins", folder});
+  if (options.scene_plugins) words.push_back("--scene-plugins");
+  words.push_back(options.scene);
+  return words;
+}
+
+/// Answers the calls of a design, until the design ends. A watchdog ends calls that do not return.
+[[noreturn]] void serve_as_solver(const DesignOptions& options) {
+  Terminal terminal(options);
+  Registry registry;
+  find_scene_plugins(options, registry);
+  design::LiveSolver solver(options.scene, registry, options.threads);
+  design::ServedSolver served([] { end_at_once(kDone); });
+  served.serve([&](const std::string& name, const design::Json& body, const std::atomic<bool>& interrupt,
+                   const design::OnProgress& on_progress) {
+    const auto last_act = [&](const Overdue& overdue) {
+      served.say_end(overdue.sentence);
+      return overdue.interrupted ? kInterrupted : kNotConverged;
+    };
+    Watchdog watchdog(terminal, last_act, interrupt);
+    solver.on_budget([&](double seconds) { watchdog.allow(seconds); });
+    return solver.answer(name, body, interrupt, on_progress);
+  });
+}
+
 /// Opens the design and serves it until an interruption or, if it was opened as a page, until the page is
 /// closed.
 int serve(const DesignOptions& options, bool ends_with_page) {
   Terminal terminal(options);
   Registry registry;
-  find_scene_plugins(options, registry);
+  find_scene_plugins(options, registry);  // refuses a wrong --plugins before the solver does
   catch_interrupts();
-  design::Session session(options.scene, library_folder(), registry, threads_for(options.threads));
+  design::SolverProcess solver(solver_command(options));
+  const auto call = [&](const std::string& name, const design::Json& body, const std::atomic<bool>& interrupt,
+                        const design::OnProgress& on_progress) {
+    return solver.answer(name, body, interrupt, on_progress);
+  };
+  design::Session session(options.scene, library_folder(), call);
   design::DesignServer server(session, options.port);
   print_address(server.address(), options.json);
   if (ends_with_page)
@@ -44,6 +83,7 @@ int serve(const DesignOptions& options, bool ends_with_page) {
 }
 
 int serve_or_explain(const DesignOptions& options, bool ends_with_page) {
+  if (options.as_solver) serve_as_solver(options);
   try {
     return serve(options, ends_with_page);
   } catch (const formats::ReadError& e) {

@@ -7,7 +7,6 @@
 #include "io/program/session/options.hpp"
 #include "io/program/session/print.hpp"
 #include "io/program/session/reading_progress.hpp"
-#include "io/program/session/terminal.hpp"
 
 #include <fmt/format.h>
 #include <signal.h>
@@ -62,8 +61,12 @@ CallFrame caller_for_ever(const CallStack& calls) {
 
 }  // namespace
 
-Watchdog::Watchdog(Terminal& terminal, std::function<int(const Overdue&)> last_act)
-    : terminal_(terminal), last_act_(std::move(last_act)), thread_([this] { watch(); }) {}
+Watchdog::Watchdog(Terminal& terminal, std::function<int(const Overdue&)> last_act,
+                   const std::atomic<bool>& interrupt)
+    : terminal_(terminal),
+      last_act_(std::move(last_act)),
+      interrupt_(interrupt),
+      thread_([this] { watch(); }) {}
 
 Watchdog::~Watchdog() {
   {
@@ -91,7 +94,7 @@ void Watchdog::end_writing() {
 }
 
 bool Watchdog::is_over(bool& interrupted) {
-  interrupted = interrupt_flag();
+  interrupted = interrupt_;
   return interrupted || cpu_seconds() > deadline_;
 }
 
@@ -99,7 +102,7 @@ void Watchdog::watch() {
   std::unique_lock lock(mutex_);
   while (!wake_.wait_for(lock, std::chrono::duration<double>(kLook), [this] { return stop_; })) {
     bool interrupted = false;
-    if (interrupt_flag()) look_at_interruption(wall_seconds());
+    if (interrupt_) look_at_interruption(wall_seconds());
     if (is_over(interrupted))
       look(interrupted, wall_seconds());
     else

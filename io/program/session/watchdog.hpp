@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "framework/registry/plugin_call.hpp"
+#include "io/program/session/terminal.hpp"
 
 #include <condition_variable>
 #include <functional>
@@ -11,8 +12,6 @@
 #include <vector>
 
 namespace netloft::program {
-
-class Terminal;
 
 /// A plugin, or the reading of a scene, that continued after its time was over.
 struct Overdue {
@@ -31,7 +30,9 @@ struct Overdue {
 /// ends after ten seconds.
 class Watchdog {
  public:
-  Watchdog(Terminal& terminal, std::function<int(const Overdue&)> last_act);
+  /// `interrupt`: the flag of interruptions; by default that of the program.
+  Watchdog(Terminal& terminal, std::function<int(const Overdue&)> last_act,
+           const std::atomic<bool>& interrupt = interrupt_flag());
   ~Watchdog();
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
@@ -62,6 +63,7 @@ class Watchdog {
 
   Terminal& terminal_;
   std::function<int(const Overdue&)> last_act_;
+  const std::atomic<bool>& interrupt_;
   double interrupted_at_ = 0, interrupted_at_cpu_ = 0;  // [s], of processor time; 0: not interrupted
   double writing_since_cpu_ = 0;                        // [s], of processor time
   std::function<void()> abandon_;                       // empty if no result is being written

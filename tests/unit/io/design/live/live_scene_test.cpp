@@ -67,6 +67,23 @@ TEST(LiveScene, ContinuesToWhereABatchRunArrives) {
   }
 }
 
+TEST(LiveScene, IsAfterARerunExactlyWhereABatchRunArrives) {
+  Followed trawl("83-112-flume-3.0kn.toml", "150");
+  ASSERT_EQ(trawl.follow().status, Status::converged);
+  const Outcome near = trawl.move("ropes.headrope.length", 25.4);
+  ASSERT_EQ(near.status, Status::converged);
+  EXPECT_FALSE(near.is_as_run);
+  const Outcome run = trawl.live.rerun(trawl.never);
+  ASSERT_EQ(run.status, Status::converged);
+  EXPECT_TRUE(run.is_as_run);
+  EXPECT_GT(run.ghost_off.value(), 0);
+  EXPECT_FALSE(run.jump);
+  const auto batch = figures_of_batch_run(trawl.texts);
+  const auto live = studies::all_figures(trawl.live.last()->result);
+  ASSERT_EQ(live.size(), batch.size());
+  for (std::size_t f = 0; f < batch.size(); ++f) EXPECT_EQ(live[f].value, batch[f].value) << batch[f].name;
+}
+
 TEST(LiveScene, ExpectsTheEquilibriumWhereTheTangentLeads) {
   Followed trawl("83-112-flume-3.0kn.toml", "150");
   trawl.texts.set(formats::read_change("analysis.tolerance=1e-10"));

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/design/solver/live_solver.hpp"
 #include "io/formats/work/long_work.hpp"
 #include "tests/folders.hpp"
 #include "tests/verification/solving.hpp"
@@ -10,13 +11,20 @@
 namespace netloft::design {
 namespace {
 
-/// A session of a trawl with few nodes.
+/// A session of a trawl with few nodes, whose solver is in this process.
 struct Trawl {
   Trawl() { ask("apply", {{"set", "gear.nodes=100"}, {"wait", true}}); }
   Json ask(const std::string& name, const Json& body = Json::object()) { return session.answer(name, body); }
 
-  Session session{test::source_folder() + "/gear-library/scenes/83-112-flume-3.0kn.toml",
-                  test::source_folder() + "/gear-library", test::shipped_plugins(), 1};
+  const std::string scene = test::source_folder() + "/gear-library/scenes/83-112-flume-3.0kn.toml";
+  LiveSolver solver{scene, test::shipped_plugins(), 1};
+  bool crashes = false;  // in the next call
+  Session session{scene, test::source_folder() + "/gear-library",
+                  [this](const std::string& name, const Json& body, const std::atomic<bool>& interrupt,
+                         const OnProgress& on_progress) {
+                    if (std::exchange(crashes, false)) throw SolverEnded("it crashed");
+                    return solver.answer(name, body, interrupt, on_progress);
+                  }};
 };
 
 const Json* find_number(const Json& state, const std::string& path) {
@@ -143,6 +151,44 @@ TEST(DesignSession, GoesAsFarAsAFigureStaysWithinItsBound) {
       EXPECT_LT(figure["value"], 2.01);
     }
   EXPECT_LT(found["down"]["value"], 3.0);
+}
+
+TEST(DesignSession, RunsATextThatIsLeftAloneFromItsSketch) {
+  Trawl trawl;
+  const Json near = trawl.ask("apply", {{"path", "tow.speed"}, {"to", 3.1}, {"wait", true}})["outcome"];
+  EXPECT_FALSE(near["as_run"]);
+  const std::uint64_t before = trawl.ask("state")["event"];
+  const Json run = trawl.ask("run");
+  EXPECT_TRUE(run["as_run"]);
+  EXPECT_EQ(run["revision"], near["revision"]);
+  EXPECT_LT(run["ghost_off"], 1e-2);
+  EXPECT_TRUE(run["jump"].is_null());
+  EXPECT_EQ(trawl.ask("state")["outcome"], run);
+  bool is_told = false;
+  for (const Event& event : trawl.session.events_after(before, std::chrono::milliseconds(0)))
+    is_told = is_told || event.name == "confirmed";
+  EXPECT_TRUE(is_told);
+}
+
+TEST(DesignSession, OutlivesItsSolver) {
+  Trawl trawl;
+  trawl.crashes = true;
+  const Json outcome = trawl.ask("apply", {{"path", "tow.speed"}, {"to", 3.1}, {"wait", true}})["outcome"];
+  EXPECT_EQ(outcome["status"], "solver ended");
+  EXPECT_EQ(outcome["sentence"], "it crashed");
+  EXPECT_EQ(trawl.ask("undo")["can_redo"], true);
+  EXPECT_EQ(trawl.ask("solve")["status"], "converged");
+  trawl.crashes = true;
+  EXPECT_THROW(trawl.ask("plan"), SolverEnded);
+  EXPECT_FALSE(trawl.ask("plan")["svg"].get<std::string>().empty());
+}
+
+TEST(DesignSession, StopsASearchOnDemand) {
+  Trawl trawl;
+  trawl.ask("apply", {{"set", "gear.nodes=3000"}});
+  trawl.ask("stop");
+  const std::string status = trawl.ask("solve")["status"];
+  EXPECT_TRUE(status == "interrupted" || status == "converged") << status;
 }
 
 TEST(DesignSession, EndsWhileSomebodyWaits) {

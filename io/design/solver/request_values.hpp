@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <nlohmann/json.hpp>
+#include "io/design/solver/solver_call.hpp"
 
 #include <string>
 
@@ -8,9 +8,9 @@ namespace netloft::design {
 
 // These functions return a member of the body of a request. They throw WrongRequest if the member is missing
 // or of another kind.
-std::string text_in(const nlohmann::ordered_json& body, const char* name);
-double number_in(const nlohmann::ordered_json& body, const char* name);
+std::string text_in(const Json& body, const char* name);
+double number_in(const Json& body, const char* name);
 /// Returns false if the member is missing.
-bool flag_in(const nlohmann::ordered_json& body, const char* name);
+bool flag_in(const Json& body, const char* name);
 
 }  // namespace netloft::design

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/design/live/live_scene.hpp"
+#include "io/design/solver/solver_call.hpp"
 #include "io/design/texts/scene_texts.hpp"
 
-#include <nlohmann/json.hpp>
-
 namespace netloft::design {
-
-using Json = nlohmann::ordered_json;
 
 /// Messages sorted by place: severity, file, line, column, length, message, hint, and the changes that remove
 /// the message.
@@ -20,11 +17,16 @@ Json edit_json(const Edit& edit, const formats::StoredTexts& texts);
 Json numbers_json(const formats::Document& document,
                   const std::map<std::string, formats::NumberWords>& words);
 
-/// All figures of an equilibrium with their errors, and their values at the first equilibrium. Unknown
-/// numbers are null.
-Json figures_json(const Equilibrium& now, const Equilibrium& first);
+/// All figures of an equilibrium with their errors. Unknown numbers are null.
+Json figures_json(const Equilibrium& now);
 
-/// The outcome for a text, with positions and figures of its equilibrium if there is one.
+// The words of a number as JSON, and back.
+Json words_json(const formats::NumberWords& words);
+formats::NumberWords words_in(const Json& json);
+
+/// The outcome for a text, without its equilibrium.
+Json verdict_json(const Outcome& outcome);
+/// The same, with positions and figures of the equilibrium if there is one.
 Json outcome_json(const Outcome& outcome, const LiveScene& scene);
 
 /// The tangents of a number: the motion of the nodes and the slopes of the figures per unit of the number.

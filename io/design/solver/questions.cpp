@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/design/session/questions.hpp"
+#include "io/design/solver/questions.hpp"
 
-#include "io/design/session/session.hpp"
 #include "io/formats/units/units.hpp"
 #include "io/formats/work/interruptible_work.hpp"
 #include "io/pictures/view/report_html.hpp"
@@ -75,14 +74,14 @@ Json picture_json(const LiveScene& scene) {
 
 Json report_json(const LiveScene& scene) {
   const Equilibrium& now = need_last(scene);
-  return {{"figures", figures_json(now, *scene.first())},
+  return {{"figures", figures_json(now)},
           {"summary", pictures::summary_html(now.result)},
           {"materials", pictures::materials_html(now.result)},
           {"deck", pictures::deck_html(now.result)}};
 }
 
 Json influences_json(LiveScene& scene, const std::string& figure, const std::atomic<bool>& interrupt,
-                     const OnDone& on_done) {
+                     const OnProgress& on_done) {
   const std::size_t f = figure_called(need_last(scene), figure);
   const studies::Sensitivities found = scene.influences(interrupt, on_done);
   if (found.is_interrupted) throw formats::Interrupted{};
@@ -96,7 +95,7 @@ Json influences_json(LiveScene& scene, const std::string& figure, const std::ato
 }
 
 Json sweep_json(LiveScene& scene, const SweepQuestion& question, const std::atomic<bool>& interrupt,
-                const OnDone& on_done) {
+                const OnProgress& on_done) {
   if (question.points < 2 || question.points > kMostPoints)
     throw WrongRequest("\"points\" is " + std::to_string(question.points) + "; it has to be between 2 and " +
                        std::to_string(kMostPoints));

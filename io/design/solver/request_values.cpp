@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/design/session/request_values.hpp"
-
-#include "io/design/session/session.hpp"
+#include "io/design/solver/request_values.hpp"
 
 #include <cmath>
 

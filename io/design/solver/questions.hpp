@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "io/design/session/replies.hpp"
+#include "io/design/solver/replies.hpp"
 
 #include <cmath>
 #include <functional>
 
 namespace netloft::design {
-
-using OnDone = std::function<void(std::size_t done, std::size_t all)>;
 
 /// The last equilibrium in the form that the viewer reads (pictures::results_json). All functions here throw
 /// Refused if there is no equilibrium.
@@ -19,7 +17,7 @@ Json report_json(const LiveScene& scene);
 /// The numbers on which a figure depends, sorted by the effect of a change by one percent, and the numbers
 /// without derivatives, with the reasons. Throws formats::Interrupted.
 Json influences_json(LiveScene& scene, const std::string& figure, const std::atomic<bool>& interrupt,
-                     const OnDone& on_done);
+                     const OnProgress& on_done);
 
 struct SweepQuestion {
   std::string path;
@@ -30,7 +28,7 @@ struct SweepQuestion {
 /// the equilibrium at the neighbouring value. Figures are null at a value without an equilibrium. Throws
 /// formats::Interrupted.
 Json sweep_json(LiveScene& scene, const SweepQuestion& question, const std::atomic<bool>& interrupt,
-                const OnDone& on_done);
+                const OnProgress& on_done);
 
 struct ReachQuestion {
   std::string figure;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/design/session/replies.hpp"
+#include "io/design/solver/replies.hpp"
 
 #include "io/design/texts/literal.hpp"
 #include "io/design/texts/written_value.hpp"
@@ -40,6 +40,21 @@ const formats::NumberWords* words_of(const std::string& path,
 }
 
 }  // namespace
+
+Json words_json(const formats::NumberWords& words) {
+  return {{"unit", words.unit},
+          {"doc", words.doc},
+          {"lo", number_or_null(words.range.lo)},
+          {"hi", number_or_null(words.range.hi)},
+          {"whole", words.is_whole}};
+}
+
+formats::NumberWords words_in(const Json& json) {
+  formats::NumberWords words{json["unit"], json["doc"], {}, json["whole"]};
+  words.range.lo = json["lo"].is_null() ? -INFINITY : json["lo"].get<double>();
+  words.range.hi = json["hi"].is_null() ? INFINITY : json["hi"].get<double>();
+  return words;
+}
 
 Json messages_json(const formats::Diagnostics& diagnostics) {
   Json all = Json::array();
@@ -87,40 +102,43 @@ Json numbers_json(const formats::Document& document,
   return all;
 }
 
-Json figures_json(const Equilibrium& now, const Equilibrium& first) {
-  const auto before = studies::all_figures(first.result);
+Json figures_json(const Equilibrium& now) {
   const auto keys = studies::chosen_figures(now.result, {});
   const auto figures = studies::all_figures(now.result);
   Json all = Json::array();
   for (std::size_t f = 0; f < figures.size(); ++f) {
     const results::NamedScalar& one = figures[f];
-    const auto* then = results::find_scalar(before, one.name);
     all.push_back({{"name", one.name},
                    {"unit", one.unit},
                    {"doc", one.doc},
                    {"value", number_or_null(one.value)},
                    {"error", number_or_null(one.solver_error)},
-                   {"start", then ? number_or_null(then->value) : Json(nullptr)},
                    {"key", std::ranges::find(keys, f) != keys.end()}});
   }
   return all;
 }
 
-Json outcome_json(const Outcome& outcome, const LiveScene& scene) {
+Json verdict_json(const Outcome& outcome) {
   Json json = {{"status", name_of(outcome.status)},
                {"sentence", outcome.sentence},
                {"at_fault", outcome.at_fault},
                {"messages", messages_json(outcome.diagnostics)},
                {"same_mesh", outcome.has_same_mesh},
                {"own_mesh", outcome.has_own_mesh},
+               {"as_run", outcome.is_as_run},
                {"ghost_off", outcome.ghost_off ? Json(*outcome.ghost_off) : Json(nullptr)},
                {"jump", nullptr},
                {"seconds", {{"reading", outcome.reading_seconds}, {"solving", outcome.solving_seconds}}}};
   if (outcome.jump)
     json["jump"] = {{"off", outcome.jump->off}, {"moved", outcome.jump->moved}, {"why", outcome.jump->why}};
+  return json;
+}
+
+Json outcome_json(const Outcome& outcome, const LiveScene& scene) {
+  Json json = verdict_json(outcome);
   if (outcome.status != Outcome::Status::converged) return json;
   json["points"] = pictures::packed(scene.last()->points);
-  json["figures"] = figures_json(*scene.last(), *scene.first());
+  json["figures"] = figures_json(*scene.last());
   return json;
 }
 
