@@ -2,7 +2,6 @@
 //
 // Figures of the mouth (height, spread, area) and tensions at the ends of ropes.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -12,16 +11,14 @@
 
 namespace netloft::results {
 
-namespace {
-
-/// Height of the seabed at a place [m]: of the scene's bed or, if the scene has none, of the bed that the
-/// parameters of a part describe; nullopt without a bed.
 std::optional<double> bed_below(const Vector& place, const Scene& scene) {
   if (scene.bed.is_there) return scene.bed.at(place.x, place.y)[0];
   for (const Part& part : scene.parts)
     if (const auto plane = scenes::bed_plane_of(part)) return plane->height(place.x, place.y);
   return {};
 }
+
+namespace {
 
 void add_height(const GearView& gear, std::uint32_t headline, const std::uint32_t* footrope,
                 std::vector<Figure>& figures) {
@@ -53,33 +50,6 @@ double mouth_area(const GearView& gear, std::uint32_t headline, std::uint32_t fo
     middle += (1.0 / static_cast<double>(curve.size())) * gear.at(curve[i]);
   }
   return gear.times() * std::abs(dot(gear.current_at(middle), S));
-}
-
-/// Adds figures of the water that enters the bag, if a part of the scene (a flow) computes how much the bag
-/// slows it.
-void add_water(const GearView& gear, std::vector<Figure>& figures) {
-  const Scene& scene = gear.loaded().scene;
-  for (std::uint32_t part = 0; part < scene.parts.size(); ++part) {
-    const auto induction = gear.output(part, output::kInduction),
-               areas = gear.output(part, output::kMouthArea);
-    if (induction.empty() || areas.size() != induction.size()) continue;
-    const auto& nodes = scene.parts[part].nodes;
-    double area = 0, undisturbed = 0;
-    for (std::size_t e = 0; e < areas.size(); ++e) {
-      std::array<double, 3> flow{}, dz{};
-      scene.current.at(0.5 * (gear.at(nodes[2 * e]).z + gear.at(nodes[2 * e + 1]).z), flow, dz);
-      area += areas[e];
-      undisturbed += areas[e] * std::hypot(flow[0], flow[1]);
-    }
-    if (!(area > 0)) continue;
-    const double filtered = (1 - induction[0]) * undisturbed;
-    figures.push_back(
-        {"mouth/induction", "1", "fraction of its speed that the water loses in the bag", induction[0]});
-    figures.push_back(
-        {"mouth/water_speed", "m/s", "speed of the water through the mouth and the bag", filtered / area});
-    figures.push_back(
-        {"mouth/filtered", "m3/s", "water that passes through the mouth", gear.times() * filtered});
-  }
 }
 
 /// The tension at the end of a rope [N], from the tensions T and lengths l of its bars, beginning at this
@@ -152,7 +122,7 @@ void add_mouth_figures(const GearView& gear, std::vector<Figure>& figures) {
     figures.push_back({"mouth/area", "m2",
                        "area enclosed by headline and footrope on the plane across the current",
                        mouth_area(gear, *headline, *footrope)});
-  add_water(gear, figures);
+  add_water_figures(gear, figures);
 }
 
 void add_rope_figures(const GearView& gear, std::vector<Figure>& figures) {

@@ -3,6 +3,7 @@
 #include <netloft/vec3.hpp>
 
 #include <functional>
+#include <optional>
 
 #include "framework/registry/element_outputs.hpp"
 #include "io/results/figures/gear_figures.hpp"
@@ -64,7 +65,13 @@ class GearView {
 /// whole gear (`times` = 1).
 Vector whole_of(const Vector& modelled, double times);
 
+/// Height of the seabed at a place [m]: of the scene's bed or, if the scene has none, of the bed that the
+/// parameters of a part describe; nullopt without a bed.
+std::optional<double> bed_below(const Vector& place, const Scene& scene);
+
 void add_mouth_figures(const GearView& gear, std::vector<Figure>& figures);
+/// Adds figures of the water inside the bag, if a flow (ext/flow.h) computes how much the bag slows it.
+void add_water_figures(const GearView& gear, std::vector<Figure>& figures);
 void add_rope_figures(const GearView& gear, std::vector<Figure>& figures);
 /// Adds figures of pairs of bodies. These use the figures that add_body_figures() must have added before.
 void add_pair_figures(const GearView& gear, std::vector<Figure>& figures);

@@ -25,6 +25,16 @@ void add_forces(const Scene& scene, Assembler& assembler, std::size_t f, const K
   }
 }
 
+void add_drag_in_flow(Assembler& assembler, std::size_t f, const Kinematics& motion, Response& answer) {
+  const ElementFamily& family = *assembler.families()[f];
+  if (!family.repeated()) return;
+  answer.drag_in_flow.resize(answer.x.size());
+  std::vector<double> residual(answer.x.size());
+  for (std::size_t t = 0; t < family.active_terms().size(); ++t)
+    if (assembler.reports().evaluate_term(answer.x, f, t, residual, motion))
+      for (std::size_t i = 0; i < residual.size(); ++i) answer.drag_in_flow[i] -= residual[i];
+}
+
 /// The index of the body of each node of the scene; -1 for nodes that do not belong to a body.
 std::vector<std::int32_t> bodies_by_node(const Scene& scene) {
   std::vector<std::int32_t> bodies(scene.node_count(), -1);
@@ -78,12 +88,13 @@ void add_body_forces(const Scene& scene, Assembler& assembler, std::size_t f, co
 
 Response ask_elements(const Scene& scene, Assembler& assembler, std::span<const double> x,
                       const Kinematics& motion, bool with_forces) {
-  Response answer{{x.begin(), x.end()}, FamilyOutputs(assembler.families().size()), {}, {}};
+  Response answer{{x.begin(), x.end()}, FamilyOutputs(assembler.families().size()), {}, {}, {}};
   for (std::size_t f = 0; f < answer.outputs.size(); ++f) {
     assembler.reports().outputs(x, f, answer.outputs[f], motion);
     if (!with_forces) continue;
     add_forces(scene, assembler, f, motion, answer);
     add_body_forces(scene, assembler, f, motion, answer);
+    add_drag_in_flow(assembler, f, motion, answer);
   }
   return answer;
 }

@@ -39,6 +39,8 @@ struct Response {
   FamilyOutputs outputs;
   std::vector<PartForce> forces;       // internal forces are left out: they sum to zero over a part
   std::vector<BodyForce> body_forces;  // forces on bodies, by term, of all parts with a node on a body
+  /// Force of the water on all parts whose water a flow changes, over all dofs [N]; empty without a flow.
+  std::vector<double> drag_in_flow;
 };
 
 /// Evaluates all elements of the scene at positions x. Without `with_forces`, evaluates only their outputs,

@@ -218,15 +218,16 @@ void add_gear_tables(const std::vector<NamedScalar>& figures, bool is_half,
   add_ropes(figures, is_half, tables);
   add_table(figures, "power of towing", {{"[kW]", "power/", "", "{:.3f}", false, 1e-3}}, tables);
   const std::string panel = "panels/";
-  add_table(figures, "netting",
-            {{"open: least", panel, "/opening_min", "{:.3f}"},
-             {"mean", panel, "/opening_mean", "{:.3f}"},
-             {"most", panel, "/opening_max", "{:.3f}"},
-             {"area [m²]", panel, "/area"},
-             {"filtered", panel, "/filtered_area"},
-             {"twine [m²]", panel, "/twine_area"},
-             {"mass [kg]", panel, "/mass"}},
-            tables);
+  std::vector<Column> netting = {{"open: least", panel, "/opening_min", "{:.3f}"},
+                                 {"mean", panel, "/opening_mean", "{:.3f}"},
+                                 {"most", panel, "/opening_max", "{:.3f}"},
+                                 {"area [m²]", panel, "/area"},
+                                 {"filtered", panel, "/filtered_area"},
+                                 {"twine [m²]", panel, "/twine_area"},
+                                 {"mass [kg]", panel, "/mass"}};
+  if (find_scalar(figures, "mouth/water_speed"))
+    netting.push_back({"water [m/s]", panel, "/water_speed", "{:.3f}"});
+  add_table(figures, "netting", netting, tables);
   force_table(figures, "forces [N]", "drag/", "weight_in_water/", tables);
   force_table(figures, "forces by part [N]", "drag_by_part/", "weight_in_water_by_part/", tables);
 }
