@@ -142,6 +142,8 @@ void add_sensitivity_command(CLI::App& app, Chosen& chosen) {
       app, chosen, "sensitivity",
       "find by one solve how much each figure changes with each number of the scene", sensitivity_command);
   add_method_options(command, o);
+  command.get_option("SCENE")->description("scene file, or a result, whose scene and shape are taken");
+  command.get_option("SCENE")->type_name("FILE.toml|RESULT.hdf");
   as_words(command.add_option("--to", o.to,
                               "a number of the scene, or a table of numbers, as for --set, and its standard "
                               "deviation if known: ship.speed=0.1kn, elements.netting=5%; may be repeated; "

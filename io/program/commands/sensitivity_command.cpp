@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/formats/files/whole_file.hpp"
+#include "io/program/commands/run_kinds.hpp"
 #include "io/program/commands/study_shared.hpp"
 #include "io/program/session/memory_room.hpp"
 #include "io/program/session/print.hpp"
+#include "io/program/session/recorded_scene.hpp"
 #include "io/program/session/replaced_file.hpp"
 #include "io/program/session/session.hpp"
 #include "io/program/session/watchdog.hpp"
@@ -13,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 namespace netloft::program {
@@ -28,12 +31,16 @@ int end_without_equilibrium(const SensitivityOptions& o, Terminal& terminal, con
   return solution.status == SolveStatus::interrupted ? kInterrupted : kNotConverged;
 }
 
-Solution solve(runs::PreparedScene& scene, Terminal& terminal, Watchdog& watchdog) {
+/// Finds the equilibrium of the scene, near the shape in the file `result` if there is one.
+Solution solve(runs::PreparedScene& scene, const std::string& result, Terminal& terminal,
+               Watchdog& watchdog) {
   const double tolerance = scene.loaded().analysis.limits.tolerance;
-  Solution solution = runs::find_equilibrium(
-      scene, {.interrupt = &interrupt_flag(),
-              .on_iteration = [&](const IterationRecord& r) { terminal.progress(r, tolerance); },
-              .on_budget = [&](double seconds) { watchdog.allow(seconds); }});
+  const runs::Watch watch{.interrupt = &interrupt_flag(),
+                          .on_iteration = [&](const IterationRecord& r) { terminal.progress(r, tolerance); },
+                          .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
+  Solution solution = result.empty()
+                          ? runs::find_equilibrium(scene, watch)
+                          : runs::find_equilibrium_near(scene, read_start(result, "SCENE", scene), watch);
   watchdog.allow(std::numeric_limits<double>::infinity());  // the limit of the scene is for its solve
   return solution;
 }
@@ -59,19 +66,34 @@ int end_with(const SensitivityOptions& o, Terminal& terminal, const results::Res
   });
 }
 
+/// Prepares the scene and refuses scenes that have no derivatives. Returns an exit code.
+int open(Session& session, const SensitivityOptions& o, const std::optional<RecordedScene>& recorded) {
+  if (const int code = session.open(); code != kDone) return code;
+  const scenes::LoadedScene& loaded = session.scene().loaded();
+  if (const auto why_not = studies::why_no_derivatives(loaded)) throw UsageError{*why_not};
+  std::vector<std::string> sources = paths_of(loaded);
+  if (recorded) {
+    refuse_changed_files(*recorded, loaded);
+    sources.push_back(o.scene);
+  }
+  require_place(o.output, sources);
+  return kDone;
+}
+
 int run_sensitivity(const SensitivityOptions& o) {
   require_ending("-o", o.output, {".svg", ".hdf"});
   require_memory_to_solve();
-  Session session(o);
-  if (const int code = session.open(); code != kDone) return code;
+  std::optional<RecordedScene> recorded;
+  if (names_result(o)) recorded = recorded_scene(o);
+  const MethodOptions& options = recorded ? recorded->options : static_cast<const MethodOptions&>(o);
+  Session session(options, recorded ? recorded->source : source_of(options));
+  if (const int code = open(session, o, recorded); code != kDone) return code;
   runs::PreparedScene& scene = session.scene();
-  if (const auto why_not = studies::why_no_derivatives(scene.loaded())) throw UsageError{*why_not};
-  require_place(o.output, paths_of(scene.loaded()));
   const auto numbers = studies::chosen_numbers(scene, o.to);
   catch_interrupts();
   Terminal& terminal = session.terminal();
   Watchdog watchdog(terminal, ending_with_a_sentence(terminal, "there are no derivatives yet"));
-  const Solution solution = solve(scene, terminal, watchdog);
+  const Solution solution = solve(scene, recorded ? o.scene : "", terminal, watchdog);
   if (const auto why_not = studies::why_no_derivatives(solution))
     return end_without_equilibrium(o, terminal, solution, *why_not);
   const results::Result result = results::make_result(scene.loaded(), scene.assembler(), solution);

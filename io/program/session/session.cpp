@@ -58,8 +58,10 @@ runs::CaseSource source_of(const MethodOptions& options) {
   return source;
 }
 
-Session::Session(const MethodOptions& options)
-    : terminal_(options), names_strategy_(!options.strategy.empty()), scene_(source_of(options), registry_) {
+Session::Session(const MethodOptions& options) : Session(options, source_of(options)) {}
+
+Session::Session(const MethodOptions& options, runs::CaseSource source)
+    : terminal_(options), names_strategy_(!options.strategy.empty()), scene_(std::move(source), registry_) {
   find_scene_plugins(options, registry_);
 }
 

@@ -12,6 +12,8 @@ namespace netloft::program {
 class Session {
  public:
   explicit Session(const MethodOptions& options);
+  /// `source` replaces the scene that the options name.
+  Session(const MethodOptions& options, runs::CaseSource source);
 
   /// Reads, checks and assembles the scene. Returns kDone; if the scene is not ready, reports the reason and
   /// returns the exit code.

@@ -162,6 +162,36 @@ class Runs(InFreshFolder):
         for row in found["sensitivities"]["rows"]:
             self.assertEqual(row["derivative"], derivatives[row["path"]][row["figure"]])
 
+    def test_sensitivities_of_a_result_are_those_of_its_scene(self):
+        scene = self.folder / "rope.toml"
+        scene.write_text((SCENES / "hanging-rope.toml").read_text())
+        words = ["--set", "parts.rope.cells=20"]
+        self.netloft("run", str(scene), *words, "-o", "a.hdf")
+        of_scene = self.netloft("sensitivity", str(scene), *words, "--json").json()
+        scene.write_text("nothing = [that is a scene")  # the result contains all that is needed
+        of_result = self.netloft("sensitivity", "a.hdf", "--json").json()
+        self.assertEqual([n["path"] for n in of_scene["numbers"]], [n["path"] for n in of_result["numbers"]])
+        for here, there in zip(of_scene["numbers"], of_result["numbers"]):
+            np.testing.assert_allclose(here.get("per_unit", []), there.get("per_unit", []), rtol=1e-6, atol=1e-9)
+        heavier = self.netloft("sensitivity", "a.hdf", "--set", "parts.rope.rope.density=400", "--to", "parts.rope", "--json").json()
+        by_density = next(n for n in heavier["numbers"] if n["path"].endswith("density"))
+        self.assertEqual(by_density["value"], 400)
+
+    def test_sensitivities_of_a_result_need_the_files_that_it_was_made_of(self):
+        scene = self.folder / "scene.toml"
+        catalogue = self.folder / "mine" / "chains.toml"
+        catalogue.parent.mkdir()
+        catalogue.write_text('source = "a test"\nuncertainty = "none"\n[chain.thin]\ndiameter = "10 mm"\nmass = "2.1 kg/m"\n'
+                             'material_density = "7850 kg/m3"\nEA = "8 MN"\n')
+        scene.write_text('catalogue = ["mine"]\n[parts.line]\ntype = "rope/bar"\nlength = "10 m"\ncells = 4\nrope = "thin"\n'
+                         'sketch = [[0, 0, 0], [9, 0, 0]]\n[[hold]]\non = "line.start"\n[[hold]]\non = "line.end"\n')
+        self.assertEqual(self.netloft("run", "scene.toml", "-o", "a.hdf").code, 0)
+        self.assertEqual(self.netloft("sensitivity", "a.hdf").code, 0)
+        catalogue.write_text(catalogue.read_text().replace("2.1", "2.2"))
+        ended = self.netloft("sensitivity", "a.hdf")
+        self.assertEqual(ended.code, 2)
+        self.assertIn("mine/chains.toml has changed since the result was written", ended.err)
+
     def test_sensitivities_need_an_equilibrium(self):
         for scene, words in (("dynamics/hanging-panel.toml", ()), ("pelagic-with-doors.toml", ("--set", "ship.warp.tension=6 kN"))):
             ended = self.netloft("run", str(SCENES / scene), *words, "--sensitivities", "-o", "none.hdf")
