@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # netloft_test(NAME [ROOMS folders…] [EXCEPT files…] [SOURCES files…] LIBRARIES targets… [OPTIONS flags…] [SLOW_TESTS names…] [SLOW|LONG]):
 # one GoogleTest program, each of its tests known to ctest. Its sources are *_test.cpp in ROOMS, compiled as one (NetloftLibrary.cmake),
-# and SOURCES. OPTIONS are those of the plugin whose kernels are among SOURCES. SLOW, or SLOW_TESTS for some
-# tests of a program: they take minutes to compile or run under sanitizers, so that .ci/run runs them only
-# without sanitizers; LONG: .ci/run leaves the program to tests/nightly.
+# and SOURCES, which are compiled as one if there are no ROOMS. OPTIONS are those of the plugin whose kernels are
+# among SOURCES. SLOW, or SLOW_TESTS for some tests of a program: they take minutes to compile or run under
+# sanitizers, so that .ci/run runs them only without sanitizers; LONG: .ci/run leaves the program to tests/nightly.
 #
 # With NETLOFT_TEST_PROGRAMS, ctest runs the program as one test, which starts once: for sanitizers, which
 # take longer to start than most tests.
@@ -26,6 +26,8 @@ function(netloft_test name)
   add_executable(${name} ${arg_SOURCES})
   if(arg_ROOMS)
     netloft_sources(${name} ROOMS ${arg_ROOMS} ENDING _test.cpp EXCEPT ${arg_EXCEPT})
+  else()
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ${NETLOFT_UNITY} UNITY_BUILD_BATCH_SIZE 0)
   endif()
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} netloft_test_folders GTest::gtest GTest::gtest_main)
   if(arg_OPTIONS)

@@ -9,6 +9,8 @@
 
 namespace netloft {
 
+inline constexpr Water kSeaWater{1025, 9.81};
+
 /// A tile of 64 lanes of one element type, with room for all outputs.
 template <int Nodes>
 struct TestTile {

@@ -3,7 +3,7 @@
 // catch/front compared with values by hand and the volume of a box, and its tangent with differences.
 #include "plugins/catch/front.hpp"
 
-#include <gtest/gtest.h>
+#include "tests/unit/plugins/kernel_oracle.hpp"
 
 #include <array>
 #include <cmath>
@@ -14,9 +14,7 @@ namespace {
 using namespace netloft;
 using catches::Front;
 
-constexpr Water kWater{1025, 9.81};
-
-Front::Parameters pressing(double pressure, double volume = 0, double direction = 0) {
+Front::Parameters pressed_front(double pressure, double volume = 0, double direction = 0) {
   Front::Parameters p;
   p.pressure = pressure, p.volume = volume, p.direction = direction;
   return p;
@@ -25,11 +23,13 @@ Front::Parameters pressing(double pressure, double volume = 0, double direction 
 State<4> triangle(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c, double front) {
   State<4> s;
   s.x = {a, b, c, {front, 0, 0}};
-  s.water = kWater, s.wants_tangent = true;
+  s.water = kSeaWater, s.wants_tangent = true;
   return s;
 }
 
-State<4> somewhere(double front) { return triangle({0.3, -0.2, 1}, {1.4, 0.1, 1.2}, {0.5, 0.9, 0.4}, front); }
+State<4> triangle_at(double front) {
+  return triangle({0.3, -0.2, 1}, {1.4, 0.1, 1.2}, {0.5, 0.9, 0.4}, front);
+}
 
 /// The volume behind a front at ξ in a box that is open towards −x: x from 0 to 2, y and z from 0 to 1. The
 /// volume is 2 − ξ.
@@ -45,8 +45,8 @@ double volume_of_box(double front, double direction = 0) {
       const auto turn = [&](const Vec3<double>& v) {
         return Vec3<double>{e * v.x - f * v.y, f * v.x + e * v.y, v.z};
       };
-      volume +=
-          Front::volume(pressing(1, 1, direction), {}, triangle(turn(x[i]), turn(x[j]), turn(x[k]), front));
+      volume += Front::volume(pressed_front(1, 1, direction), {},
+                              triangle(turn(x[i]), turn(x[j]), turn(x[k]), front));
     }
   return volume;
 }
@@ -57,8 +57,8 @@ TEST(CatchFront, AddsUpToTheVolumeBehindThePlane) {
 }
 
 TEST(CatchFront, IsTheSameHoweverTheCornersTurn) {
-  const Front::Parameters p = pressing(100, 0.7);
-  State<4> s = somewhere(0.5), other = s;
+  const Front::Parameters p = pressed_front(100, 0.7);
+  State<4> s = triangle_at(0.5), other = s;
   std::swap(other.x[1], other.x[2]);
   Local<4> out, turned;
   ASSERT_EQ(Front::Push::evaluate(p, {}, {3}, s, out), Status::ok);
@@ -72,14 +72,14 @@ TEST(CatchFront, LooksAlongTheFlow) { EXPECT_NEAR(volume_of_box(0.4, 0.7), 1.6, 
 TEST(CatchFront, PushesAThirdOnEachCornerOfWhatIsBehindIt) {
   Local<4> out;
   const State<4> s = triangle({0, 0, 0}, {2, 0, 0}, {0, 3, 0}, -1);
-  ASSERT_EQ(Front::Push::evaluate(pressing(100), {}, {1}, s, out), Status::ok);
+  ASSERT_EQ(Front::Push::evaluate(pressed_front(100), {}, {1}, s, out), Status::ok);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(-out.force[i].z, 100 * 3.0 / 3, 1e-12);  // area 3 m²
   EXPECT_EQ(out.force[3].x, 0);
 }
 
 TEST(CatchFront, LeavesWhatIsAheadOfIt) {
   Local<4> out;
-  Front::Push::evaluate(pressing(100), {}, {1}, somewhere(2), out);
+  Front::Push::evaluate(pressed_front(100), {}, {1}, triangle_at(2), out);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(norm(out.force[i]), 0);
 }
 
@@ -94,8 +94,8 @@ TEST(CatchFront, CutsTrianglesByTheAreaBehindIt) {
 
 TEST(CatchFront, HasTheDerivativeOfItsForceAsTangent) {
   for (const double front : {0.2, 0.4, 0.9, 1.3, 1.6}) {
-    const auto p = pressing(120, 0.7, 0.3);
-    const State<4> s = somewhere(front);
+    const auto p = pressed_front(120, 0.7, 0.3);
+    const State<4> s = triangle_at(front);
     Local<4> at;
     ASSERT_EQ(Front::Push::evaluate(p, {}, {8}, s, at), Status::ok);
     for (int c = 0; c < 10; ++c) {
@@ -119,11 +119,11 @@ TEST(CatchFront, HasTheDerivativeOfItsForceAsTangent) {
 /// table begins 20 %.
 TEST(CatchFront, GrowsByItsTable) {
   const double table[] = {10, 0.2, 20, 1};
-  auto p = pressing(120, 0.7);
+  auto p = pressed_front(120, 0.7);
   p.growth = {table, 2, 2};
   const double k = 120 / std::cbrt(0.7);
   for (const auto& [time, share] : {std::pair{0.0, 0.2}, {15.0, 0.6}, {99.0, 1.0}}) {
-    State<4> s = somewhere(0.8);
+    State<4> s = triangle_at(0.8);
     s.time = time;
     Local<4> out;
     Front::Push::evaluate(p, {}, {8}, s, out);
@@ -133,7 +133,7 @@ TEST(CatchFront, GrowsByItsTable) {
 
 TEST(CatchFront, GrowsOnlyIfItIsAVolumeThatIsThereAlways) {
   const double growing[] = {0, 0.2, 20, 1}, vanishing[] = {0, 1, 20, 0};
-  auto p = pressing(120);
+  auto p = pressed_front(120);
   p.growth = {growing, 2, 2};
   EXPECT_THROW(Front::check(p, {}), std::invalid_argument);
   p.volume = 0.7;
@@ -144,7 +144,7 @@ TEST(CatchFront, GrowsOnlyIfItIsAVolumeThatIsThereAlways) {
 
 TEST(CatchFront, RefusesACatchWithoutPressure) {
   EXPECT_THROW(Front::check({}, {}), std::invalid_argument);
-  EXPECT_NO_THROW(Front::check(pressing(1), {}));
+  EXPECT_NO_THROW(Front::check(pressed_front(1), {}));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 // dual numbers and differences.
 #include "plugins/catch/pressure.hpp"
 
-#include <gtest/gtest.h>
+#include "tests/unit/plugins/kernel_oracle.hpp"
 
 #include <array>
 #include <cmath>
@@ -15,7 +15,6 @@ namespace {
 using namespace netloft;
 using catches::Pressure;
 
-constexpr Water kWater{1025, 9.81};
 constexpr Pressure::Whole kAlone{1, 4};
 
 Pressure::Parameters pressing(double pressure) {
@@ -34,7 +33,7 @@ Pressure::Parameters filled(double pressure, double volume) {
 State<4> somewhere(double front = 1e6) {
   State<4> s;
   s.x = {{{0.3, -0.2, 1}, {1.4, 0.1, 1.2}, {0.5, 0.9, 0.4}, {front, 0, 0}}};
-  s.water = kWater;
+  s.water = kSeaWater;
   s.wants_tangent = true;
   return s;
 }

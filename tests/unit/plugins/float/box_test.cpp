@@ -12,7 +12,7 @@ namespace {
 using namespace netloft;
 using floats::Box;
 
-constexpr Water kWater{1000, 10};
+constexpr Water kRoundWater{1000, 10};
 
 Box::Parameters box() {
   Box::Parameters p;
@@ -23,7 +23,7 @@ Box::Parameters box() {
 
 State<1> at_height(double z) {
   State<1> s;
-  s.x[0] = {1, 2, z}, s.water = kWater, s.wants_tangent = true;
+  s.x[0] = {1, 2, z}, s.water = kRoundWater, s.wants_tangent = true;
   return s;
 }
 

@@ -122,12 +122,13 @@ TEST(MorisonReynolds, TakesATableInstead) {
   }
 }
 
-const MorisonReynolds::Parameters kTakagi{0.08, 0.9, {}, static_cast<std::int64_t>(hydro::Cylinder::takagi)};
+const MorisonReynolds::Parameters kByTakagi{
+    0.08, 0.9, {}, static_cast<std::int64_t>(hydro::Cylinder::takagi)};
 
 TEST(MorisonReynolds, LanesMatchTheDualNumbersOfTakagisFormula) {
   for (const unsigned seed : {6u, 7u}) {
     TestFlow t = sample_flows(seed);
-    expect_lanes_match_oracle<MorisonReynolds>(kTakagi, t);
+    expect_lanes_match_oracle<MorisonReynolds>(kByTakagi, t);
   }
 }
 

@@ -5,7 +5,7 @@
 #include "plugins/priour/knot_contact.hpp"
 #include "plugins/priour/opening.hpp"
 
-#include "tests/unit/plugins/kernel_oracle.hpp"
+#include "tests/unit/plugins/priour/panels.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -16,25 +16,12 @@ namespace {
 using namespace netloft;
 using namespace netloft::priour;
 
-constexpr Water kWater{1025, 9.81};
 constexpr double kPi = std::numbers::pi;
 
 Triangle::Parameters twine(double opening_stiffness, double opening_angle = 0, double knot_size = 0) {
   Triangle::Parameters p{1e4, 1, 0.004, 1140};
   p.opening_stiffness = opening_stiffness, p.opening_angle = opening_angle, p.knot_size = knot_size;
   return p;
-}
-
-/// Triangles of 2 to 6 meshes, with corners in either sense of rotation; bars of 0.1 m.
-std::vector<Triangle::Data> panels() {
-  std::mt19937_64 random(2);
-  std::vector<Triangle::Data> all(kLanes);
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    const double s = uniform(random, 2, 6), skew = uniform(random, -0.5, 0.5);
-    all[lane] = {{0, s, skew}, {0, skew, s}, 0.1};
-    if (lane % 2) std::swap(all[lane].u[1], all[lane].u[2]), std::swap(all[lane].v[1], all[lane].v[2]);
-  }
-  return all;
 }
 
 /// Places corners so that meshes have the half angle `half_angle(lane)`, in any plane, with bars of 0.07 to
@@ -66,13 +53,13 @@ auto spread(double lo, double hi) {
 template <class Kernel, class Oracle = Kernel>
 void expect_matches(const Triangle::Parameters& p, double lo, double hi, double tolerance = 1e-12) {
   const auto data = panels();
-  TestTile<3> tile(kWater);
+  TestTile<3> tile(kSeaWater);
   place_corners(tile, data, spread(lo, hi));
   tile.want_tangent();
   const auto family = make_family<Triangle>(p, data);
   ASSERT_EQ(Kernel::tile(family, tile.t), Status::ok);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    const auto e = oracle<Triangle, Oracle, 3>(p, data[lane], kWater, tile, lane);
+    const auto e = oracle<Triangle, Oracle, 3>(p, data[lane], kSeaWater, tile, lane);
     EXPECT_NEAR(tile.energy[lane], e.value, tolerance * std::abs(e.value)) << "energy of lane " << lane;
     EXPECT_LT(relative_error(tile.force, e.gradient, lane), tolerance) << "force of lane " << lane;
     EXPECT_LT(relative_error(tile.tangent, e.hessian, lane), tolerance) << "tangent of lane " << lane;
@@ -107,13 +94,13 @@ TEST(Opening, IsSmoothThroughClosedMeshes) {
 TEST(Opening, HasATangentInExactlyClosedMeshes) {
   const auto data = panels();
   const auto p = twine(0.3);
-  TestTile<3> tile(kWater);
+  TestTile<3> tile(kSeaWater);
   place_corners(tile, data, spread(0, 0));
   tile.want_tangent();
   const auto family = make_family<Triangle>(p, data);
   ASSERT_EQ(OpeningGiven::tile(family, tile.t), Status::ok);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    const auto e = oracle<Triangle, NearlyClosed, 3>(p, data[lane], kWater, tile, lane);
+    const auto e = oracle<Triangle, NearlyClosed, 3>(p, data[lane], kSeaWater, tile, lane);
     EXPECT_NEAR(tile.energy[lane], 0, 1e-15) << lane;
     EXPECT_LT(relative_error(tile.tangent, e.hessian, lane), 1e-12) << lane;
   }
@@ -121,7 +108,7 @@ TEST(Opening, HasATangentInExactlyClosedMeshes) {
 
 TEST(Opening, HasTheEnergyOfTwoCouplesAtEveryKnot) {
   const auto data = panels();
-  TestTile<3> tile(kWater);
+  TestTile<3> tile(kSeaWater);
   place_corners(tile, data, spread(0.3, 1.2));
   const auto family = make_family<Triangle>(twine(0.3, 0.5), data);
   ASSERT_EQ(OpeningGiven::tile(family, tile.t), Status::ok);
@@ -148,7 +135,7 @@ TEST(Opening, RefusesTwoAnswersToOneQuestion) {
 
 Status evaluate_opening(const Triangle::Parameters& p, double half_angle) {
   const auto data = panels();
-  TestTile<3> tile(kWater);
+  TestTile<3> tile(kSeaWater);
   place_corners(tile, data, spread(half_angle, half_angle));
   const auto family = make_family<Triangle>(p, data);
   return OpeningGiven::tile(family, tile.t);
@@ -174,7 +161,7 @@ TEST(KnotContact, MatchesItsOracleInFlatMeshes) {
 
 TEST(KnotContact, IsNotThereInOpenMeshes) {
   const auto data = panels();
-  TestTile<3> tile(kWater);
+  TestTile<3> tile(kSeaWater);
   place_corners(tile, data, spread(0.292, kPi / 2 - 0.292));
   tile.want_tangent();
   const auto family = make_family<Triangle>(twine(0, 0, 0.06), data);
@@ -234,7 +221,7 @@ std::pair<Eigen::MatrixXd, Eigen::MatrixXd> both_matrices(const Family<Triangle>
 template <class Term>
 void expect_convex_part(const Triangle::Parameters& p, double lo, double hi) {
   const auto data = panels();
-  TestTile<3> tile(kWater);
+  TestTile<3> tile(kSeaWater);
   place_corners(tile, data, spread(lo, hi));
   const auto family = make_family<Triangle>(p, data);
   for (std::size_t lane = 0; lane < kLanes; lane += 7) {

@@ -4,30 +4,17 @@
 // by hand.
 #include "plugins/priour/triangle.hpp"
 
-#include "tests/unit/plugins/kernel_oracle.hpp"
+#include "tests/unit/plugins/priour/panels.hpp"
 
 namespace {
 
 using namespace netloft;
 using priour::Triangle;
 
-constexpr Water kWater{1025, 9.81};
 const Triangle::Parameters kTwine{1e4, 1, 0.004, 1140};
 
-/// Triangles of 2 to 6 meshes, with corners in either sense of rotation; bars of 0.1 m.
-std::vector<Triangle::Data> panels() {
-  std::mt19937_64 random(2);
-  std::vector<Triangle::Data> all(kLanes);
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    const double s = uniform(random, 2, 6), skew = uniform(random, -0.5, 0.5);
-    all[lane] = {{0, s, skew}, {0, skew, s}, 0.1};
-    if (lane % 2) std::swap(all[lane].u[1], all[lane].u[2]), std::swap(all[lane].v[1], all[lane].v[2]);
-  }
-  return all;
-}
-
 /// Places corners so that the bars of both directions have a length of about `stretch` x 0.1 m.
-void place_corners(TestTile<3>& tile, const std::vector<Triangle::Data>& data, double stretch) {
+void place_stretched_corners(TestTile<3>& tile, const std::vector<Triangle::Data>& data, double stretch) {
   std::mt19937_64 random(3);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     Vec3<double> U{1, 0, 0}, V{0, 1, 0};
@@ -43,9 +30,9 @@ void place_corners(TestTile<3>& tile, const std::vector<Triangle::Data>& data, d
 
 void expect_elastic_matches(double stretch) {
   const auto data = panels();
-  TestTile<3> tile(kWater);
-  place_corners(tile, data, stretch);
-  expect_kernel_matches_oracle<Triangle, Triangle::Elastic>(kTwine, data, kWater, tile, false);
+  TestTile<3> tile(kSeaWater);
+  place_stretched_corners(tile, data, stretch);
+  expect_kernel_matches_oracle<Triangle, Triangle::Elastic>(kTwine, data, kSeaWater, tile, false);
 }
 
 TEST(PriourTriangle, MatchesItsOracleWhenTaut) { expect_elastic_matches(1.3); }
@@ -54,7 +41,7 @@ TEST(PriourTriangle, MatchesItsOracleWhenSlack) { expect_elastic_matches(0.4); }
 
 TEST(PriourTriangle, WeighsAsMuchAsTheTwinesInIt) {
   const auto data = panels();
-  TestTile<3> tile(kWater);
+  TestTile<3> tile(kSeaWater);
   const auto family = make_family<Triangle>(kTwine, data);
   ASSERT_EQ(Triangle::Weight::tile(family, tile.t), Status::ok);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -72,8 +59,8 @@ TEST(PriourTriangle, DoubleNettingPullsAndWeighsTwice) {
   Triangle::Parameters twice = kTwine;
   twice.number = 2;
   const auto single = make_family<Triangle>(kTwine, data), both = make_family<Triangle>(twice, data);
-  TestTile<3> one(kWater), two(kWater);
-  place_corners(one, data, 1.1), place_corners(two, data, 1.1);
+  TestTile<3> one(kSeaWater), two(kSeaWater);
+  place_stretched_corners(one, data, 1.1), place_stretched_corners(two, data, 1.1);
   Triangle::Elastic::tile(single, one.t), Triangle::Elastic::tile(both, two.t);
   Triangle::Weight::tile(single, one.t), Triangle::Weight::tile(both, two.t);
   for (std::size_t i = 0; i < 9 * kLanes; ++i) EXPECT_DOUBLE_EQ(two.force[i], 2 * one.force[i]) << i;

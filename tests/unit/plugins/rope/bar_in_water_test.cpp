@@ -13,7 +13,7 @@ using namespace netloft;
 using hydro::Morison;
 using rope::Bar;
 
-constexpr Water kWater{1025, 9.81, 1.19e-6};
+constexpr Water kViscousWater{1025, 9.81, 1.19e-6};
 constexpr double kLength = 1.3, kShear[3] = {0.05, -0.02, 0.01};  // [m], [1/s]
 const Morison::Parameters kLaw{1.2, 0.08, 1};
 
@@ -22,7 +22,7 @@ Bar::Parameters make_rope() {
   p.damping = 300, p.added_mass = 1;
   return p;
 }
-const Bar::Parameters kRope = make_rope();
+const Bar::Parameters kDampedRope = make_rope();
 
 template <class T>
 using Ends = Points<T, 2>;
@@ -44,8 +44,8 @@ struct DragOracle {
   static Ends<T> force(const Sight<T>& s) {
     Flow<T> f;
     f.flow = 0.5 * (s.current[0] + s.current[1]) - 0.5 * (s.v[0] + s.v[1]);
-    f.direction = chord(s), f.diameter = kRope.diameter;
-    f.density = kWater.density, f.viscosity = kWater.viscosity;
+    f.direction = chord(s), f.diameter = kDampedRope.diameter;
+    f.density = kViscousWater.density, f.viscosity = kViscousWater.viscosity;
     const Vec3<T> half = (-0.5 * kLength) * Morison::force(kLaw, f);
     return {half, half};
   }
@@ -53,18 +53,18 @@ struct DragOracle {
 struct DampingOracle {
   template <class T>
   static Ends<T> force(const Sight<T>& s) {
-    const Vec3<T> t = chord(s), pull = (kRope.damping / kLength * dot(t, s.v[1] - s.v[0])) * t;
+    const Vec3<T> t = chord(s), pull = (kDampedRope.damping / kLength * dot(t, s.v[1] - s.v[0])) * t;
     return {-pull, pull};
   }
 };
 struct InertiaOracle {
   template <class T>
   static Ends<T> force(const Sight<T>& s) {
-    const double half = 0.5 * std::numbers::pi / 4 * kRope.diameter * kRope.diameter * kLength;
-    const double added = half * kRope.added_mass * kWater.density;
+    const double half = 0.5 * std::numbers::pi / 4 * kDampedRope.diameter * kDampedRope.diameter * kLength;
+    const double added = half * kDampedRope.added_mass * kViscousWater.density;
     Ends<T> r;
     for (std::size_t p = 0; p < 2; ++p)
-      r[p] = (half * kRope.density + added) * s.a[p] - (added * dot(chord(s), s.a[p])) * chord(s);
+      r[p] = (half * kDampedRope.density + added) * s.a[p] - (added * dot(chord(s), s.a[p])) * chord(s);
     return r;
   }
 };
@@ -83,7 +83,8 @@ struct MovingTile {
     }
     t.size = sizeof t, t.count = NETLOFT_LANES;
     t.want = NETLOFT_WANT_FORCE | NETLOFT_WANT_TANGENT;
-    t.water_density = kWater.density, t.gravity = kWater.gravity, t.water_viscosity = kWater.viscosity;
+    t.water_density = kViscousWater.density, t.gravity = kViscousWater.gravity,
+    t.water_viscosity = kViscousWater.viscosity;
     t.x = x, t.v = v, t.a = a, t.current = current, t.current_dz = dz;
     t.force = force, t.tangent = tangent;
   }
@@ -114,7 +115,7 @@ Sight<Dual<6, 1>> seen(const MovingTile& m, std::size_t i, By by) {
 }
 
 Family<Bar> family_in_water() {
-  auto f = make_family<Bar>(kRope, std::vector<Bar::Data>(kLanes, Bar::Data{kLength}));
+  auto f = make_family<Bar>(kDampedRope, std::vector<Bar::Data>(kLanes, Bar::Data{kLength}));
   f.laws_.push_back({NETLOFT_TWINE_LAW, 0, &kLaw, &detail::evaluate_law<Morison>});
   return f;
 }
@@ -221,7 +222,7 @@ struct LossOracle {
 
 TEST(RopeLoss, MatchesItsFormulaAndItsDerivativesAsItTightens) {
   Family<Bar> family = family_in_water();
-  Bar::Parameters p = kRope;
+  Bar::Parameters p = kDampedRope;
   p.loss_factor = 0.2, p.loss_frequency = 4;
   for (std::size_t i = 0; i < kLanes; ++i) Bar::pack(p, {kLength}, family.lanes_[0], i);
   for (const By by : {By::position, By::velocity}) {
@@ -251,7 +252,7 @@ TEST(RopeLoss, MatchesItsFormulaAndItsDerivativesAsItTightens) {
 
 TEST(RopeLoss, IsThatOfTheDampingWhenTautAndNothingWhenSlack) {
   Family<Bar> family = family_in_water();
-  Bar::Parameters p = kRope;
+  Bar::Parameters p = kDampedRope;
   p.loss_factor = 0.1;
   Bar::pack(p, {kLength}, family.lanes_[0], 0);
   Upright m;
@@ -267,7 +268,7 @@ TEST(RopeLoss, IsThatOfTheDampingWhenTautAndNothingWhenSlack) {
 TEST(RopeLoss, IsNothingWhereRopeRunsOffADrumAsItIsStretched) {
   static const double table[] = {0, 1, 10, 3};  // a rope whose length grows threefold in 10 s
   Family<Bar> family = family_in_water();
-  Bar::Parameters p = kRope;
+  Bar::Parameters p = kDampedRope;
   p.loss_factor = 0.1, p.length_share.rows = 2, p.length_share.values = table;
   Bar::pack(p, {kLength}, family.lanes_[0], 0);
   family.lanes_[0].changes = true;
@@ -284,7 +285,7 @@ TEST(RopeLoss, IsNothingWhereRopeRunsOffADrumAsItIsStretched) {
 }
 
 Bar::Parameters make_winch() {
-  Bar::Parameters p = kRope;
+  Bar::Parameters p = kDampedRope;
   p.constant_tension = 1500;
   return p;
 }
@@ -296,14 +297,14 @@ void place_any(TestTile<2>& tile) {
 }
 
 TEST(RopeAtConstantTension, MatchesItsOracle) {
-  TestTile<2> tile(kWater);
+  TestTile<2> tile(kViscousWater);
   place_any(tile);
   const std::vector<Bar::Data> data(kLanes, Bar::Data{kLength});
-  expect_kernel_matches_oracle<Bar, Bar::Tension>(kWinch, data, kWater, tile, false);
+  expect_kernel_matches_oracle<Bar, Bar::Tension>(kWinch, data, kViscousWater, tile, false);
 }
 
 TEST(RopeAtConstantTension, HasNoSpringAndReportsItsTension) {
-  TestTile<2> tile(kWater);
+  TestTile<2> tile(kViscousWater);
   place_any(tile);
   const std::vector<Bar::Data> data(kLanes, Bar::Data{kLength});
   const auto family = make_family<Bar>(kWinch, data);

@@ -10,7 +10,6 @@ namespace {
 using namespace netloft;
 using rope::Bar;
 
-constexpr Water kWater{1025, 9.81};
 const Bar::Parameters kRope{1e5, 1e2, 0.02, 1400};
 
 /// Bars 1 m long at rest, in any direction, with lengths between `least` and `most`.
@@ -30,30 +29,30 @@ void place_bars(TestTile<2>& tile, double least, double most) {
 const std::vector<Bar::Data> kOneMetre(kLanes, Bar::Data{1.0});
 
 TEST(RopeBar, MatchesItsOracleWhenTaut) {
-  TestTile<2> tile(kWater);
+  TestTile<2> tile(kSeaWater);
   place_bars(tile, 1.1, 2);
-  expect_kernel_matches_oracle<Bar, Bar::Elastic>(kRope, kOneMetre, kWater, tile, false);
+  expect_kernel_matches_oracle<Bar, Bar::Elastic>(kRope, kOneMetre, kSeaWater, tile, false);
 }
 
 TEST(RopeBar, MatchesItsOracleWhenSlack) {
-  TestTile<2> tile(kWater);
+  TestTile<2> tile(kSeaWater);
   place_bars(tile, 0.1, 0.9);
-  expect_kernel_matches_oracle<Bar, Bar::Elastic>(kRope, kOneMetre, kWater, tile, false);
+  expect_kernel_matches_oracle<Bar, Bar::Elastic>(kRope, kOneMetre, kSeaWater, tile, false);
 }
 
 TEST(RopeBar, WeighsWhatItsOracleSays) {
-  TestTile<2> tile(kWater);
+  TestTile<2> tile(kSeaWater);
   place_bars(tile, 0.5, 2);
-  expect_kernel_matches_oracle<Bar, Bar::Weight>(kRope, kOneMetre, kWater, tile, true);
+  expect_kernel_matches_oracle<Bar, Bar::Weight>(kRope, kOneMetre, kSeaWater, tile, true);
 }
 
 TEST(RopeBar, WeighsWhatAMetreOfItIsSaidToWeighInTheWater) {
   Bar::Parameters p = kRope;
   for (const double w : {28.0, -3.5}) {
     p.weight_in_water = w;
-    TestTile<2> tile(kWater);
+    TestTile<2> tile(kSeaWater);
     place_bars(tile, 0.5, 2);
-    expect_kernel_matches_oracle<Bar, Bar::Weight>(p, kOneMetre, kWater, tile, true);
+    expect_kernel_matches_oracle<Bar, Bar::Weight>(p, kOneMetre, kSeaWater, tile, true);
     EXPECT_NEAR(tile.force[2 * kLanes] + tile.force[5 * kLanes], w, 1e-12);
   }
   p.diameter = 0;
@@ -61,7 +60,7 @@ TEST(RopeBar, WeighsWhatAMetreOfItIsSaidToWeighInTheWater) {
 }
 
 TEST(RopeBar, PullsItsEndsTogetherWhenStretchedByTenPercent) {
-  TestTile<2> tile(kWater);
+  TestTile<2> tile(kSeaWater);
   for (std::size_t lane = 0; lane < kLanes; ++lane) tile.x[3 * kLanes + lane] = 1.1;
   const auto family = make_family<Bar>(kRope, kOneMetre);
   ASSERT_EQ(Bar::Elastic::tile(family, tile.t), Status::ok);

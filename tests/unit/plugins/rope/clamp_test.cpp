@@ -6,7 +6,7 @@
 
 #include "plugins/rope/mirror.hpp"
 #include "plugins/rope/rope_bending.hpp"
-#include "tests/unit/plugins/kernel_oracle.hpp"
+#include "tests/unit/plugins/rope/turned_bars.hpp"
 
 namespace {
 
@@ -15,17 +15,7 @@ using rope::Bending;
 using rope::Clamp;
 using rope::Mirror;
 
-constexpr Water kWater{1025, 9.81};
 constexpr std::array<double, 2> kLengths{0.8, 1.1};
-
-/// Two bars of these lengths, the second turned by phi in a tilted plane.
-State<3> turned(double phi, double l1 = 0.8, double l2 = 1.1) {
-  const Vec3<double> e{0.6, 0.48, 0.64}, f{-0.8, 0.36, 0.48};  // orthonormal
-  State<3> s;
-  const Vec3<double> a{0.3, -0.2, -5}, b = a + l1 * e;
-  s.x = {a, b, b + (l2 * std::cos(phi)) * e + (l2 * std::sin(phi)) * f}, s.wants_tangent = true;
-  return s;
-}
 
 /// Largest error of force and tangent over the largest entry of each.
 template <class E>
@@ -34,7 +24,7 @@ double error_of(const typename E::Parameters& p, const State<3>& s) {
   for (int i = 0; i < 9; ++i)
     x[static_cast<std::size_t>(i / 3)][i % 3] =
         Dual<9>::variable(s.x[static_cast<std::size_t>(i / 3)][i % 3], i);
-  const auto e = E::Elastic::oracle(p, {kLengths}, kWater, x);
+  const auto e = E::Elastic::oracle(p, {kLengths}, kSeaWater, x);
   Local<3> out;
   EXPECT_EQ(E::Elastic::evaluate(p, {kLengths}, s, out), Status::ok);
   double force = 0, tangent = 0, force_size = 0, tangent_size = 0;
@@ -114,7 +104,7 @@ TEST(RopeMirror, IsHalfOfTheBendingBetweenABarAndItsImage) {
     Points<Dual<6>, 2> x;
     for (int i = 0; i < 6; ++i)
       x[static_cast<std::size_t>(i / 3)][i % 3] = Dual<6>::variable((i < 3 ? on_plane : end)[i % 3], i);
-    const auto half = Mirror::Elastic::energy({3.7, 1, curvature}, {L}, kWater, x);
+    const auto half = Mirror::Elastic::energy({3.7, 1, curvature}, {L}, kSeaWater, x);
     EXPECT_NEAR(half.value, 0.5 * whole.energy, 1e-13);
     for (int axis = 0; axis < 3; ++axis) {
       EXPECT_NEAR(half.gradient[static_cast<std::size_t>(3 + axis)], whole.force[0][axis], 1e-12);
@@ -126,10 +116,10 @@ TEST(RopeMirror, IsHalfOfTheBendingBetweenABarAndItsImage) {
 
 TEST(RopeMirror, RefusesABarInItsPlaneOrBeyond) {
   const Points<double, 2> x{{{0, 0, 0}, {1, 0, 1}}};
-  EXPECT_THROW(Mirror::Elastic::energy({1, 1}, {1}, kWater, x), OutsideDomain);
+  EXPECT_THROW(Mirror::Elastic::energy({1, 1}, {1}, kSeaWater, x), OutsideDomain);
   const Points<double, 2> beyond{{{0, 0, 0}, {1, -0.1, 1}}};
-  EXPECT_THROW(Mirror::Elastic::energy({1, 1}, {1}, kWater, beyond), OutsideDomain);
-  EXPECT_NO_THROW(Mirror::Elastic::energy({1, 1, 0, 1}, {1}, kWater, beyond));
+  EXPECT_THROW(Mirror::Elastic::energy({1, 1}, {1}, kSeaWater, beyond), OutsideDomain);
+  EXPECT_NO_THROW(Mirror::Elastic::energy({1, 1, 0, 1}, {1}, kSeaWater, beyond));
 }
 
 TEST(RopeBendingByNodes, MatchesItsOracleAtEveryAngle) {

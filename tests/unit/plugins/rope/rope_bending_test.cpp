@@ -5,28 +5,20 @@
 // eq. (1).
 #include "plugins/rope/rope_bending.hpp"
 
-#include "tests/unit/plugins/kernel_oracle.hpp"
+#include "tests/unit/plugins/rope/turned_bars.hpp"
 
 namespace {
 
 using namespace netloft;
 using rope::Bending;
 
-constexpr Water kWater{1025, 9.81};
-const Bending::Parameters kRope{3.7};
+const Bending::Parameters kBentRope{3.7};
 const Bending::Data kBars{{0.8, 1.1}};
 
 State<3> at(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
   State<3> s;
   s.x = {a, b, c}, s.wants_tangent = true;
   return s;
-}
-
-/// Two bars of these lengths, the second turned by phi in a tilted plane.
-State<3> turned(double phi, double l1 = 0.8, double l2 = 1.1) {
-  const Vec3<double> e{0.6, 0.48, 0.64}, f{-0.8, 0.36, 0.48};  // orthonormal
-  const Vec3<double> a{0.3, -0.2, -5}, b = a + l1 * e;
-  return at(a, b, b + (l2 * std::cos(phi)) * e + (l2 * std::sin(phi)) * f);
 }
 
 struct Errors {
@@ -38,9 +30,9 @@ Errors compare(const State<3>& s) {
   for (int i = 0; i < 9; ++i)
     x[static_cast<std::size_t>(i / 3)][i % 3] =
         Dual<9>::variable(s.x[static_cast<std::size_t>(i / 3)][i % 3], i);
-  const auto e = Bending::Elastic::oracle(kRope, kBars, kWater, x);
+  const auto e = Bending::Elastic::oracle(kBentRope, kBars, kSeaWater, x);
   Local<3> out;
-  EXPECT_EQ(Bending::Elastic::evaluate(kRope, kBars, s, out), Status::ok);
+  EXPECT_EQ(Bending::Elastic::evaluate(kBentRope, kBars, s, out), Status::ok);
   double force = 0, tangent = 0, force_size = 0, tangent_size = 0;
   std::size_t k = 0;
   for (int r = 0; r < 9; ++r) {
@@ -79,7 +71,7 @@ TEST(RopeBending, MatchesItsOracleAnywhere) {
 double moment(double phi) {
   const State<3> s = turned(phi);
   Local<3> out;
-  EXPECT_EQ(Bending::Elastic::evaluate(kRope, kBars, s, out), Status::ok);
+  EXPECT_EQ(Bending::Elastic::evaluate(kBentRope, kBars, s, out), Status::ok);
   const State<3> further = turned(phi + std::numbers::pi / 2);
   const Vec3<double> tangential = (1 / 1.1) * (further.x[2] - further.x[1]);
   return 1.1 * dot(out.force[2], tangential);
@@ -93,13 +85,13 @@ TEST(RopeBending, HasTheMomentEIOverR) {
 TEST(RopeBending, KeepsItsDigitsInANearlyStraightRope) {
   const double phi = 1e-7;
   Local<3> out;
-  ASSERT_EQ(Bending::Elastic::evaluate(kRope, kBars, turned(phi), out), Status::ok);
+  ASSERT_EQ(Bending::Elastic::evaluate(kBentRope, kBars, turned(phi), out), Status::ok);
   EXPECT_NEAR(out.energy / (0.5 * 3.7 * 2 / 1.9 * phi * phi), 1, 1e-7);  // ½ (2 EI/(L₁ + L₂)) φ²
 }
 
 TEST(RopeBending, IsStiffAcrossAStraightRope) {
   Local<3> out;
-  ASSERT_EQ(Bending::Elastic::evaluate(kRope, kBars, at({0, 0, 0}, {0.8, 0, 0}, {1.9, 0, 0}), out),
+  ASSERT_EQ(Bending::Elastic::evaluate(kBentRope, kBars, at({0, 0, 0}, {0.8, 0, 0}, {1.9, 0, 0}), out),
             Status::ok);
   EXPECT_EQ(out.energy, 0);
   const double k = 2 * 3.7 / 1.9;  // φ = z₂/1.1 − z₁ (1/0.8 + 1/1.1)
@@ -110,9 +102,9 @@ TEST(RopeBending, IsStiffAcrossAStraightRope) {
 
 TEST(RopeBending, IsOutsideItsDomainFoldedBackAndWithoutLength) {
   Local<3> out;
-  EXPECT_EQ(Bending::Elastic::evaluate(kRope, kBars, at({0, 0, 0}, {1, 0, 0}, {0.2, 0, 0}), out),
+  EXPECT_EQ(Bending::Elastic::evaluate(kBentRope, kBars, at({0, 0, 0}, {1, 0, 0}, {0.2, 0, 0}), out),
             Status::outside_domain);
-  EXPECT_EQ(Bending::Elastic::evaluate(kRope, kBars, at({0, 0, 0}, {0, 0, 0}, {1, 0, 0}), out),
+  EXPECT_EQ(Bending::Elastic::evaluate(kBentRope, kBars, at({0, 0, 0}, {0, 0, 0}, {1, 0, 0}), out),
             Status::outside_domain);
 }
 

@@ -12,11 +12,11 @@ using namespace netloft;
 using seabed::Plane;
 
 constexpr Water kWater{1025, 9.81};
-constexpr double kSoft = 0.02;
+constexpr double kSoftBed = 0.02;
 
 Plane::Parameters sloping() {
   Plane::Parameters p;
-  p.depth = 50, p.slope_x = 0.2, p.slope_y = -0.1, p.stiffness = 3e4, p.softness = kSoft;
+  p.depth = 50, p.slope_x = 0.2, p.slope_y = -0.1, p.stiffness = 3e4, p.softness = kSoftBed;
   p.friction = 0.6, p.shear_stiffness = 2e4;
   return p;
 }
@@ -43,12 +43,12 @@ void expect_contact_matches(double least, double most) {
 }
 
 TEST(SeabedContact, MatchesItsOracleAboveTheBed) { expect_contact_matches(-1, -1e-3); }
-TEST(SeabedContact, MatchesItsOracleWhereTheBedIsSoft) { expect_contact_matches(1e-3, 0.9 * kSoft); }
-TEST(SeabedContact, MatchesItsOracleDeepInTheBed) { expect_contact_matches(2 * kSoft, 1); }
+TEST(SeabedContact, MatchesItsOracleWhereTheBedIsSoft) { expect_contact_matches(1e-3, 0.9 * kSoftBed); }
+TEST(SeabedContact, MatchesItsOracleDeepInTheBed) { expect_contact_matches(2 * kSoftBed, 1); }
 
 TEST(SeabedContact, HasNoJumpInEnergyForceOrStiffness) {
-  for (const double joint : {0.0, kSoft}) {
-    const auto before = Plane::press(joint - 1e-12, kSoft), after = Plane::press(joint + 1e-12, kSoft);
+  for (const double joint : {0.0, kSoftBed}) {
+    const auto before = Plane::press(joint - 1e-12, kSoftBed), after = Plane::press(joint + 1e-12, kSoftBed);
     EXPECT_NEAR(before.f, after.f, 1e-13);
     EXPECT_NEAR(before.f1, after.f1, 1e-11);
     EXPECT_NEAR(before.f2, after.f2, 1e-9);
@@ -70,7 +70,7 @@ TEST(SeabedContact, CarriesAWireWhereItsWeightSaysSo) {  // ε/2 + w/k below
   Plane::Parameters p = sloping();
   p.slope_x = p.slope_y = 0, p.stiffness = 1e4;
   State<1> s;
-  s.x[0].z = -50 - (kSoft / 2 + 0.1);
+  s.x[0].z = -50 - (kSoftBed / 2 + 0.1);
   EXPECT_NEAR(Plane::normal_force(p, {2, 0}, s), 2 * 1e4 * 0.1, 1e-9);
   // a piece without length counts as one metre
   EXPECT_NEAR(Plane::normal_force(p, {0, 3}, s), 3 * 1e4 * 0.1, 1e-9);
@@ -87,7 +87,7 @@ struct OneNode {
     p.slope_x = p.slope_y = 0, p.stiffness = 1e4, p.friction = 0.5, p.shear_stiffness = 1e4;
     t.size = sizeof t, t.count = 1, t.cu = 1;
     t.x = x, t.force = force, t.inputs = inputs;
-    x[2 * kLanes] = -50 - kSoft / 2 - 0.1;
+    x[2 * kLanes] = -50 - kSoftBed / 2 - 0.1;
     state[3 * kLanes] = 1;
   }
   void evaluate() {
@@ -243,7 +243,9 @@ void expect_tangent_is_derivative(double way, double depth) {
 
 TEST(SeabedFriction, HasTheDerivativeAsTangentWhileItSticks) { expect_tangent_is_derivative(0.01, 0.3); }
 TEST(SeabedFriction, HasTheDerivativeAsTangentWhileItSlides) { expect_tangent_is_derivative(2, 0.3); }
-TEST(SeabedFriction, HasTheDerivativeAsTangentInTheSoftBed) { expect_tangent_is_derivative(1, 0.5 * kSoft); }
+TEST(SeabedFriction, HasTheDerivativeAsTangentInTheSoftBed) {
+  expect_tangent_is_derivative(1, 0.5 * kSoftBed);
+}
 TEST(SeabedFriction, HasTheDerivativeAsTangentAboveTheBed) { expect_tangent_is_derivative(1, -0.1); }
 
 /// Compares the tangents by position and by velocity with central differences on a sloping, moving bed.
