@@ -96,8 +96,8 @@ Limits SearchHost::limits_of(const netloft_stage& stage, const VariantProblem& v
   limits.model = &variant_problem.model;
   limits.work = stage.work;
   limits.seconds = seconds_left();
-  limits.judging.examine_growth =
-      is_as_written(stage.variant) && stage.tolerance <= options_.limits.tolerance;
+  limits.judging.examine_growth = options_.limits.judging.examine_growth && is_as_written(stage.variant) &&
+                                  stage.tolerance <= options_.limits.tolerance;
   if (limits.judging.examine_growth) limits.judging.known = &judged_;
   return limits;
 }

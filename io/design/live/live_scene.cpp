@@ -8,20 +8,42 @@
 #include "io/formats/work/interruptible_work.hpp"
 #include "io/gears/drawing/drawing.hpp"
 #include "io/results/file/start_from.hpp"
+#include "io/runs/coarser.hpp"
 #include "io/runs/equilibrium.hpp"
 #include "io/runs/tangent.hpp"
 #include "io/studies/sweep/branch.hpp"
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace netloft::design {
 
 namespace {
 
 // Limit of iterations for one step to a neighbouring value. In the trawl 83-112, steps of 5 % take up to 10
-// iterations. If there is no equilibrium, a low limit saves time, because half the step is then tried.
+// iterations, and up to 50 where the net folds. If there is no equilibrium, a low limit saves time, because
+// half the step is then tried, or the search begins at the sketch.
 constexpr int kIterationsOfNeighbour = 60;
+// The same for numbers that divide the net plan anew, such as lengths. Measured in the trawl 83-112: if such
+// a step takes more iterations, it takes 50 to 100, which is longer than a search from the sketch.
+constexpr int kIterationsOnAnotherMesh = 15;
+
+/// While it exists, searches for the equilibrium of a scene do not examine its stability, which takes several
+/// times as long as a step to a neighbour.
+class WithoutStability {
+ public:
+  explicit WithoutStability(runs::PreparedScene& scene)
+      : examines_(scene.loaded().analysis.limits.judging.examine_growth),
+        before_(std::exchange(examines_, false)) {}
+  ~WithoutStability() { examines_ = before_; }
+  WithoutStability(const WithoutStability&) = delete;
+  WithoutStability& operator=(const WithoutStability&) = delete;
+
+ private:
+  bool& examines_;
+  bool before_;
+};
 
 Outcome::Status status_of(const Solution& solution) {
   switch (solution.status) {
@@ -88,28 +110,66 @@ Outcome LiveScene::follow(const std::filesystem::path& file, const formats::Stor
     collected.by_path.merge(words_);
     words_ = std::move(collected.by_path);
     if (!scene) return outcome;
-    outcome.has_same_mesh = last_ && runs::have_same_topology(*last_->scene, *scene);
-    if (mesh == Mesh::kept && moved && last_ && !outcome.has_same_mesh)
-      if (auto kept = on_last_mesh()) {
-        scene = std::move(kept);
-        outcome.has_same_mesh = true;
-        outcome.has_own_mesh = false;
-      }
-    const std::vector<double> expected = expected_place(*scene, moved, outcome.has_same_mesh);
-    const runs::Watch watch = watch_with(interrupt);
-    auto next = std::make_unique<Equilibrium>();
-    next->scene = scene;
-    next->solution = expected.empty() ? runs::find_equilibrium(*scene, watch)
-                                      : runs::find_equilibrium_near(*scene, expected, watch);
-    if (!take_verdict(*next, outcome)) return outcome;
-    outcome.is_as_run = !last_;
-    if (outcome.has_same_mesh && moved) compare(*next, expected, outcome);
-    last_ = std::move(next);
-    tangents_.clear();
+    if (last_ && follow_near(scene, moved, mesh, interrupt, outcome)) return outcome;
+    if (last_) scene = prepare(source_, {}, outcome);
+    search_from_sketch(scene, last_ && moved ? ghost_of(moved) : std::vector<double>(),
+                       /*examines=*/!last_, interrupt, outcome);
   } catch (const formats::Interrupted&) {
     outcome.status = Outcome::Status::interrupted;
   }
   return outcome;
+}
+
+/// Seeks the equilibrium near the last one, in few iterations. Returns false if there is none so near.
+bool LiveScene::follow_near(std::shared_ptr<runs::PreparedScene> scene,
+                            const std::optional<MovedNumber>& moved, Mesh mesh,
+                            const std::atomic<bool>& interrupt, Outcome& outcome) {
+  outcome.has_same_mesh = runs::have_same_topology(*last_->scene, *scene);
+  const int most = outcome.has_same_mesh ? kIterationsOfNeighbour : kIterationsOnAnotherMesh;
+  if (mesh == Mesh::kept && moved && !outcome.has_same_mesh)
+    if (auto kept = on_last_mesh()) {
+      scene = std::move(kept);
+      outcome.has_same_mesh = true;
+      outcome.has_own_mesh = false;
+    }
+  const std::vector<double> ghost = carried(*last_, ghost_of(moved), *scene);
+  if (ghost.empty()) return false;
+  auto next = std::make_unique<Equilibrium>();
+  next->scene = scene;
+  {
+    const WithoutStability none(*scene);
+    next->solution = runs::continue_equilibrium(*scene, ghost, most, watch_with(interrupt));
+  }
+  const bool is_found = take_verdict(*next, outcome);
+  if (is_found && outcome.has_same_mesh && moved) compare(*next, ghost, outcome);
+  if (is_found) take(std::move(next));
+  return is_found || outcome.status == Outcome::Status::interrupted;
+}
+
+/// Seeks the equilibrium as a run does, exactly so if its stability is examined, and compares it with
+/// `ghost`, positions on the last mesh, unless these are empty. The scene is prepared without analyses of
+/// earlier factorisations, because they change the last bits.
+void LiveScene::search_from_sketch(const std::shared_ptr<runs::PreparedScene>& scene,
+                                   const std::vector<double>& ghost, bool examines,
+                                   const std::atomic<bool>& interrupt, Outcome& outcome) {
+  if (!scene) return;
+  outcome.has_own_mesh = true;
+  outcome.is_as_run = examines;
+  outcome.has_same_mesh = last_ && runs::have_same_topology(*last_->scene, *scene);
+  auto next = std::make_unique<Equilibrium>();
+  next->scene = scene;
+  {
+    const auto none = examines ? nullptr : std::make_unique<WithoutStability>(*scene);
+    next->solution = runs::find_equilibrium(*scene, watch_with(interrupt));
+  }
+  if (!take_verdict(*next, outcome)) return;
+  if (!ghost.empty()) compare(*next, carried(*last_, ghost, *scene), outcome);
+  take(std::move(next));
+}
+
+void LiveScene::take(std::unique_ptr<Equilibrium> next) {
+  last_ = std::move(next);
+  tangents_.clear();
 }
 
 /// Completes an equilibrium that was sought. Returns whether it is one.
@@ -121,22 +181,15 @@ bool LiveScene::take_verdict(Equilibrium& next, Outcome& outcome) const {
   return true;
 }
 
-/// The scene is prepared without analyses of earlier factorisations, because they change the last bits.
 Outcome LiveScene::rerun(const std::atomic<bool>& interrupt) {
   Outcome outcome;
   const formats::InterruptibleWork reading(interrupt);
   try {
-    auto next = std::make_unique<Equilibrium>();
-    next->scene = prepare(source_, {}, outcome);
-    if (!next->scene) return outcome;
-    outcome.has_same_mesh = runs::have_same_topology(*last_->scene, *next->scene);
-    next->solution = runs::find_equilibrium(*next->scene, watch_with(interrupt));
-    if (!take_verdict(*next, outcome)) return outcome;
-    outcome.is_as_run = true;
-    if (outcome.has_same_mesh)
-      compare(*next, next->scene->assembler().displacements_to(last_->solution.x), outcome);
-    last_ = std::move(next);
-    tangents_.clear();
+    auto scene = prepare(source_, {}, outcome);
+    if (!scene) return outcome;
+    const bool is_comparable = runs::have_same_topology(*last_->scene, *scene);
+    search_from_sketch(scene, is_comparable ? last_->solution.x : std::vector<double>(), /*examines=*/true,
+                       interrupt, outcome);
   } catch (const formats::Interrupted&) {
     outcome.status = Outcome::Status::interrupted;
   }
@@ -179,48 +232,53 @@ std::shared_ptr<runs::PreparedScene> LiveScene::on_last_mesh() const {
   return is_ready && runs::have_same_topology(*last_->scene, *scene) ? scene : nullptr;
 }
 
-/// Displacements at which the equilibrium of the scene is expected; empty if there is no basis for a guess.
-std::vector<double> LiveScene::expected_place(const runs::PreparedScene& scene,
-                                              const std::optional<MovedNumber>& moved, bool has_same_mesh) {
-  if (!last_) return {};
-  const Assembler& assembler = scene.assembler();
-  if (!has_same_mesh) return carried_from(*last_, scene);
-  if (!moved) return assembler.displacements_to(last_->solution.x);
+/// The positions to which the tangent of a moved number leads; the last ones if there is no tangent.
+std::vector<double> LiveScene::ghost_of(const std::optional<MovedNumber>& moved) {
+  const std::vector<double>& x = last_->solution.x;
+  if (!moved) return x;
   try {
+    const double by = moved->to - number(moved->path).value;
+    if (by == 0) return x;  // the second search for one text
     const studies::NumberEffect& effect = tangents(moved->path).effect;
-    if (!effect.motion.empty())
-      return assembler.displacements_to(
-          led(last_->solution.x, effect.motion, moved->to - effect.number.value));
+    return effect.motion.empty() ? x : led(x, effect.motion, by);
   } catch (const Refused&) {  // the last text did not contain the number
+    return x;
   }
-  return assembler.displacements_to(last_->solution.x);
 }
 
-/// Computes how far the equilibrium is from the place that the tangent predicted, and whether it has jumped.
-/// It has jumped, by the rule of studies::Branch, if this distance is noticeable and larger than the whole
-/// displacement.
-void LiveScene::compare(const Equilibrium& next, const std::vector<double>& expected, Outcome& outcome) {
-  Assembler& assembler = next.scene->assembler();
-  std::vector<double> ghost(assembler.start().begin(), assembler.start().end());
-  assembler.place(expected, ghost);
-  const double off = distance_between(*next.scene, next.solution.x, ghost);
-  const double went = distance_between(*next.scene, next.solution.x, last_->solution.x);
-  const double size = Scales(assembler).gear_size();
-  outcome.ghost_off = off;
-  const double led_to = distance_between(*next.scene, ghost, last_->solution.x);
-  if (off <= studies::BranchOptions{}.noticed * size || off <= led_to) return;
-  outcome.jump =
-      Jump{off, went, switched_parts(*last_->scene, last_->solution.x, *next.scene, next.solution.x)};
-}
-
-/// Displacements at which a scene with another mesh has the shape of an equilibrium; empty if the two scenes
-/// have no part in common.
-std::vector<double> LiveScene::carried_from(const Equilibrium& from, const runs::PreparedScene& to) const {
-  try {
+/// Displacements of a scene that give it the shape of an equilibrium with positions `x`; empty if the two
+/// scenes have no part in common.
+std::vector<double> LiveScene::carried(const Equilibrium& from, const std::vector<double>& x,
+                                       const runs::PreparedScene& to) const {
+  if (runs::have_same_topology(*from.scene, to)) return to.assembler().displacements_to(x);
+  if (const auto positions =
+          runs::carried_over(from.scene->loaded(), from.scene->assembler().node_positions(x), to.loaded()))
+    return to.assembler().displacements(*positions);
+  try {  // the scenes have different parts
     return to.assembler().displacements(results::positions_from(store_.shape_of(from), to.loaded()));
   } catch (const formats::FileError&) {
     return {};
   }
+}
+
+/// Computes how far the equilibrium is from the displacements that the tangent predicted, and whether it has
+/// jumped. It has jumped, by the rule of studies::Branch, if this distance is noticeable and larger than the
+/// whole predicted displacement.
+void LiveScene::compare(const Equilibrium& next, const std::vector<double>& expected, Outcome& outcome) {
+  Assembler& assembler = next.scene->assembler();
+  const auto place = [&](const std::vector<double>& u) {
+    std::vector<double> x(assembler.start().begin(), assembler.start().end());
+    assembler.place(u, x);
+    return x;
+  };
+  const std::vector<double> ghost = place(expected);
+  const std::vector<double> before = place(carried(*last_, last_->solution.x, *next.scene));
+  const double off = distance_between(*next.scene, next.solution.x, ghost);
+  outcome.ghost_off = off;
+  const double size = Scales(assembler).gear_size(), led_to = distance_between(*next.scene, ghost, before);
+  if (off <= studies::BranchOptions{}.noticed * size || off <= led_to) return;
+  outcome.jump = Jump{off, distance_between(*next.scene, next.solution.x, before),
+                      switched_parts(*last_->scene, last_->solution.x, *next.scene, next.solution.x)};
 }
 
 const Equilibrium& LiveScene::need_equilibrium() const {
@@ -310,9 +368,7 @@ std::unique_ptr<Equilibrium> LiveScene::neighbour(const Equilibrium& from, const
       if (said.severity == formats::Severity::error && why_not.empty()) why_not = said.message;
     return nullptr;
   }
-  const auto u = runs::have_same_topology(*from.scene, *next->scene)
-                     ? next->scene->assembler().displacements_to(from.solution.x)
-                     : carried_from(from, *next->scene);
+  const auto u = carried(from, from.solution.x, *next->scene);
   next->solution = runs::continue_equilibrium(*next->scene, u, kIterationsOfNeighbour, watch_with(interrupt));
   if (next->solution.status == SolveStatus::interrupted) throw formats::Interrupted{};
   if (next->solution.status != SolveStatus::converged) {

@@ -59,7 +59,8 @@ struct Outcome {
 const char* name_of(Outcome::Status status);
 
 /// A scene whose text changes, and its equilibrium. The search for each equilibrium starts from the one
-/// before; if it does not converge, the last equilibrium is kept. For use by one thread.
+/// before. If there is none so near, it is sought from the sketch; if this does not converge either, the last
+/// equilibrium is kept. Only that of the first text and rerun() examine its stability. For use by one thread.
 class LiveScene {
  public:
   LiveScene(const std::filesystem::path& file, Registry& registry, int threads);
@@ -112,15 +113,20 @@ class LiveScene {
   std::shared_ptr<runs::PreparedScene> prepare(const runs::CaseSource& source, const MakeFactorisation& make,
                                                Outcome& outcome) const;
   std::shared_ptr<runs::PreparedScene> on_last_mesh() const;
-  std::vector<double> expected_place(const runs::PreparedScene& scene,
-                                     const std::optional<MovedNumber>& moved, bool has_same_mesh);
+  std::vector<double> ghost_of(const std::optional<MovedNumber>& moved);
   MakeFactorisation factorisations() const;
   runs::Watch watch_with(const std::atomic<bool>& interrupt) const {
     return {.interrupt = &interrupt, .on_budget = on_budget};
   }
+  bool follow_near(std::shared_ptr<runs::PreparedScene> scene, const std::optional<MovedNumber>& moved,
+                   Mesh mesh, const std::atomic<bool>& interrupt, Outcome& outcome);
+  void search_from_sketch(const std::shared_ptr<runs::PreparedScene>& scene, const std::vector<double>& ghost,
+                          bool examines, const std::atomic<bool>& interrupt, Outcome& outcome);
   bool take_verdict(Equilibrium& next, Outcome& outcome) const;
+  void take(std::unique_ptr<Equilibrium> next);
   void compare(const Equilibrium& next, const std::vector<double>& expected, Outcome& outcome);
-  std::vector<double> carried_from(const Equilibrium& from, const runs::PreparedScene& to) const;
+  std::vector<double> carried(const Equilibrium& from, const std::vector<double>& x,
+                              const runs::PreparedScene& to) const;
   const Equilibrium& need_equilibrium() const;
 
   EquilibriumStore store_;

@@ -36,6 +36,9 @@ void add_switched(const Scene& scene, const studies::Switches::OfKind& before,
 
 std::string switched_parts(runs::PreparedScene& before, const std::vector<double>& x_before,
                            runs::PreparedScene& after, const std::vector<double>& x_after) {
+  if (!runs::have_same_topology(before, after))
+    return "its net is divided into other elements, so that slack members and touching nodes cannot be "
+           "compared";
   const Scene& scene = after.loaded().scene;
   const auto then = studies::switches_at(before.loaded().scene, before.assembler(), x_before);
   const auto now = studies::switches_at(scene, after.assembler(), x_after);

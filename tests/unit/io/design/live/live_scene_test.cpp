@@ -139,8 +139,8 @@ TEST(LiveScene, IsInterruptedAndGoesOn) {
 TEST(LiveScene, FollowsALengthOnTheMeshThatIsThereAndThenOnItsOwn) {
   Followed trawl("83-112-flume-3.0kn.toml", "200");
   ASSERT_EQ(trawl.follow().status, Status::converged);
-  trawl.texts.set(trawl.live.number("ropes.lower-bridle.length").to(57).front());
-  const MovedNumber moved{"ropes.lower-bridle.length", 57};
+  trawl.texts.set(trawl.live.number("ropes.lower-bridle.length").to(55).front());
+  const MovedNumber moved{"ropes.lower-bridle.length", 55};
   const auto on = [&](LiveScene::Mesh mesh) {
     return trawl.live.follow(trawl.texts.file(), trawl.texts.own(), moved, trawl.never, mesh);
   };
@@ -154,6 +154,23 @@ TEST(LiveScene, FollowsALengthOnTheMeshThatIsThereAndThenOnItsOwn) {
   ASSERT_EQ(second.status, Status::converged);
   EXPECT_TRUE(second.has_own_mesh);
   EXPECT_NEAR(trawl.figure("drag/all/x"), drag, 0.03 * drag);
+}
+
+TEST(LiveScene, SeeksFromTheSketchWhatIsFarAway) {
+  Followed trawl("83-112-flume-3.0kn.toml", "200");
+  ASSERT_EQ(trawl.follow().status, Status::converged);
+  trawl.texts.set(trawl.live.number("ropes.lower-bridle.length").to(50).front());
+  const MovedNumber moved{"ropes.lower-bridle.length", 50};
+  const Outcome far =
+      trawl.live.follow(trawl.texts.file(), trawl.texts.own(), moved, trawl.never, LiveScene::Mesh::kept);
+  ASSERT_EQ(far.status, Status::converged);
+  EXPECT_TRUE(far.has_own_mesh);
+  EXPECT_TRUE(far.ghost_off);
+  const auto near = studies::all_figures(trawl.live.last()->result);
+  const Outcome run = trawl.live.rerun(trawl.never);
+  EXPECT_TRUE(run.is_as_run);
+  const auto again = studies::all_figures(trawl.live.last()->result);
+  for (std::size_t f = 0; f < near.size(); ++f) EXPECT_EQ(near[f].value, again[f].value) << near[f].name;
 }
 
 TEST(LiveScene, CarriesTheShapeToAnotherMesh) {
