@@ -75,6 +75,11 @@ void Arnoldi::step(Eigen::Index k) {
   }
 }
 
+bool Arnoldi::sees_slow() const {
+  const Eigen::VectorXcd theta = H_.topLeftCorner(size_, size_).eigenvalues();
+  return std::any_of(theta.begin(), theta.end(), [&](const auto& one) { return A_.is_slow(one); });
+}
+
 RitzPair Arnoldi::outermost(double beyond) const {
   const Eigen::MatrixXd H = H_.topLeftCorner(size_, size_);
   if (!H.allFinite()) return {.theta = std::nan("")};

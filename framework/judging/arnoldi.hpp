@@ -33,6 +33,8 @@ class Arnoldi {
   /// candidates, the outermost of all pairs is returned. Pairs that are slow for A (Cayley::is_slow) are
   /// ignored. The returned `theta` is NaN if A or its eigenvalues could not be computed.
   RitzPair outermost(double beyond) const;
+  /// Whether some Ritz value belongs to a rate that is slow for A (Cayley::is_slow).
+  bool sees_slow() const;
 
  private:
   void step(Eigen::Index k);

@@ -3,6 +3,7 @@
 
 #include <netloft/vectors.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -29,10 +30,14 @@ std::span<double> span_of(Vector& v) { return {v.data(), static_cast<std::size_t
 
 Cayley::Cayley(const SparsePattern& p, const LinearMotion& m, Factors& factors)
     : pattern_(p), motion_(m), factors_(factors), sum_(m.K.size()), rhs_(p.size), w_(p.size) {
-  Vector masses = Vector::Zero(p.size);
-  for_entries(
-      p, [&](std::int32_t r, std::int32_t, double mass) { masses[r] += std::abs(mass); }, m.M);
-  dimension_ = unknowns() + (masses.array() > 0).count();
+  std::vector<bool> has_mass(static_cast<std::size_t>(p.size));
+  const auto keep = [&](std::int32_t r, std::int32_t c, double mass) {
+    if (mass == 0) return;
+    masses_.push_back({r, c, mass});
+    has_mass[static_cast<std::size_t>(r)] = true;
+  };
+  for_entries(p, keep, m.M);
+  dimension_ = unknowns() + std::count(has_mass.begin(), has_mass.end(), true);
 }
 
 bool Cayley::set(double sigma) {
@@ -46,14 +51,14 @@ Vector Cayley::operator*(const Vector& z) {
   const auto y = z.head(unknowns()), v = z.tail(unknowns());
   const Vector sigma_y = sigma_ * y, carried = sigma_ * (sigma_y + v);
   rhs_.setZero();
-  const auto add = [&](std::int32_t r, std::int32_t c, double damping, double mass) {
-    rhs_[r] += damping * sigma_y[c] + mass * carried[c];
-  };
-  for_entries(pattern_, add, motion_.C, motion_.M);
+  for_entries(
+      pattern_, [&](std::int32_t r, std::int32_t c, double damping) { rhs_[r] += damping * sigma_y[c]; },
+      motion_.C);
+  for (const auto& [r, c, mass] : masses_) rhs_[r] += mass * carried[c];
   factors_.solve(span_of(rhs_), span_of(w_));
   Vector to(z.size());
-  to.head(unknowns()) = 2 * w_ - y;
-  to.tail(unknowns()) = 2 * sigma_ * (w_ - y) - v;
+  to.head(unknowns()) = 2 * w_ - y;                 // (3a)
+  to.tail(unknowns()) = 2 * sigma_ * (w_ - y) - v;  // (3a)
   return to;
 }
 
@@ -62,11 +67,13 @@ Vector Cayley::weighed(const Vector& z) const {
   Vector to = Vector::Zero(z.size());
   auto along_y = to.head(unknowns()), along_v = to.tail(unknowns());
   const double square = sigma_ * sigma_;
-  const auto add = [&](std::int32_t r, std::int32_t c, double stiffness, double mass) {
-    along_y[r] += (stiffness + square * mass) * y[c];
+  for_entries(
+      pattern_, [&](std::int32_t r, std::int32_t c, double stiffness) { along_y[r] += stiffness * y[c]; },
+      motion_.convex);
+  for (const auto& [r, c, mass] : masses_) {
+    along_y[r] += square * mass * y[c];
     along_v[r] += mass * v[c];
-  };
-  for_entries(pattern_, add, motion_.convex, motion_.M);
+  }
   return to;
 }
 

@@ -49,11 +49,17 @@ class Cayley {
   bool is_in_doubt(std::complex<double> s, const Eigen::VectorXcd& y) const;
 
  private:
+  struct Mass {
+    std::int32_t row, column;
+    double value;
+  };
+
   const SparsePattern& pattern_;
   const LinearMotion& motion_;
   Factors& factors_;
   Eigen::Index dimension_;
   double sigma_ = 0;
+  std::vector<Mass> masses_;  // the entries of M that are not zero; most are, as masses lie at nodes
   std::vector<double> sum_;
   Eigen::VectorXd rhs_, w_;
 };

@@ -14,8 +14,8 @@ namespace netloft {
 
 namespace {
 
-// Least shift σ of (4) in growth.hpp. If K + σC + σ²M is singular, σ is multiplied by kOtherSigma. Growth
-// slower than 1e-4/s, which is tenfold in six hours, is not found.
+// The last shift σ of (4) in growth.hpp is not above this one. If K + σC + σ²M is singular, σ is multiplied
+// by kOtherSigma. Growth slower than 1e-4/s, which is tenfold in six hours, is not looked for.
 constexpr double kLeastSigma = 1e-3, kOtherSigma = 1.3;
 // Number of steps of the Arnoldi iteration, doubled once if the result is not clear. If the powers of A
 // decide instead, the growth over kSteps powers is measured at most kSteps + 1 times.
@@ -34,7 +34,7 @@ using Complex = std::complex<double>;
 /// A vector that is repeatedly multiplied by the operator A (cayley.hpp) and then scaled to length 1.
 class Powers {
  public:
-  Powers(Cayley& A) : A_(A), z_(A.start()) {}
+  Powers(Cayley& A, Vector z) : A_(A), z_(std::move(z)) {}
 
   /// Applies A `powers` times. Returns the average growth of the vector per application.
   double grow(int powers) {
@@ -95,10 +95,10 @@ Growth growth_of(const RitzPair& pair, const Cayley& A) {
   return g;
 }
 
-/// Verdict by the growth of powers of A, used if the largest Ritz value is not accurate enough. If growth
-/// slows down from 24 powers to the next 24, it may be transient.
-Growth growth_by_powers(Cayley& A, Arnoldi& arnoldi) {
-  Powers powers(A);
+/// Verdict by the growth of powers of A, used if the largest Ritz value is not accurate enough. Its vector z
+/// is where they begin. If growth slows down from 24 powers to the next 24, it may be transient.
+Growth growth_by_powers(Cayley& A, Arnoldi& arnoldi, Vector z) {
+  Powers powers(A, std::move(z));
   const GrowthVerdict verdict = powers.judge();
   if (verdict != GrowthVerdict::grows) return {.verdict = verdict};
   arnoldi.begin(powers.vector());
@@ -122,24 +122,15 @@ RitzPair checked(Cayley& A, RitzPair pair) {
 /// The verdict on growth that A finds with its current shift σ.
 Growth growth_by(Cayley& A, Arnoldi& arnoldi) {
   arnoldi.begin(A.start());
+  RitzPair pair;
   for (const int steps : {kSteps, 2 * kSteps}) {
     arnoldi.extend(steps);
-    const RitzPair pair = arnoldi.outermost(kDistanceFromCircle);
+    pair = arnoldi.outermost(kDistanceFromCircle);
     if (std::isnan(pair.beyond())) return {.verdict = GrowthVerdict::unknown};
     if (pair.beyond() <= kDistanceFromCircle) return {};
     if (pair.is_known() && checked(A, pair).is_known()) return growth_of(pair, A);
   }
-  return growth_by_powers(A, arnoldi);
-}
-
-double sigma_at(int step) { return kLeastSigma * std::pow(kOff * kOff, step); }
-
-/// Index of the largest shift σ. Successive shifts differ by a constant factor, and the last one is not below
-/// the fastest possible rate.
-int steps_of_sigma(double fastest) {
-  int steps = 0;
-  while (sigma_at(steps) < fastest && std::isfinite(sigma_at(steps))) ++steps;
-  return steps;
+  return growth_by_powers(A, arnoldi, pair.vector.real());
 }
 
 }  // namespace
@@ -152,12 +143,13 @@ Growth find_growth(const SparsePattern& pattern, const LinearMotion& motion, Fac
   const auto is_decided = [&] {
     return most.verdict == GrowthVerdict::unknown || (most.grows() && !most.swings());
   };
+  bool is_slowest = false;
   // After an oscillation, the loop continues: a divergence takes precedence, even if it is slower.
-  for (int step = steps_of_sigma(fastest_growth(pattern, motion, kLeastCosine)); step >= 0 && !is_decided();
-       --step) {
-    const double sigma = sigma_at(step);
+  for (double sigma = std::max(fastest_growth(pattern, motion, kLeastCosine) / kOff, kLeastSigma);
+       !is_slowest && !is_decided(); sigma /= kOff * kOff) {
     Growth growth{.verdict = GrowthVerdict::unknown};
     if (A.set(sigma) || A.set(kOtherSigma * sigma)) growth = growth_by(A, arnoldi);
+    is_slowest = sigma <= kLeastSigma || (growth.verdict == GrowthVerdict::none && !arnoldi.sees_slow());
     const bool diverges = growth.grows() && !growth.swings();
     if (growth.verdict > most.verdict || diverges) most = std::move(growth);
   }

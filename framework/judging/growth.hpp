@@ -43,7 +43,9 @@ struct Growth {
 ///   A: (y, v) → (y, v),   eigenvalues μ = (σ + s)/(σ − s)                                  (4)
 /// A has an eigenvalue outside the unit circle if and only if some Re s > 0, most clearly for σ ≈ |s| (K.
 /// Meerbergen and D. Roose, IMA J. Numer. Anal. 16, 1996). 24 steps of the Arnoldi iteration find the
-/// outermost eigenvalue for each shift σ, from 1e-3/s in factors of 100 up to (6c) in linear_motion.hpp. A
+/// outermost eigenvalue for each shift σ. The first shift is a tenth of (6c) in linear_motion.hpp, each other
+/// one a hundredth of the one before it. The last is 1e-3/s, or the first for which no Ritz value is slower
+/// than σ/10: slow motions are at the edge of the spectrum of A, next to 1, so that few steps find them. A
 /// Ritz value θ outside the circle counts if its residual ρ and the cosine χ of the angle between its left
 /// and right eigenvectors satisfy
 ///   ρ/χ ≤ (|θ| − 1)/10                                                                    (5)

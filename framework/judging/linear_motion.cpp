@@ -80,28 +80,50 @@ std::vector<double> diagonal_of(const SparsePattern& p, std::span<const double> 
   return diagonal;
 }
 
-/// For each unknown, the rate at which C drives it [1/s], −Re d/m of (6c); zero if C damps it. If one unknown
-/// of a pair has no mass, the mass of the other is used for both. A massless unknown without a pair has no
-/// rate.
-std::vector<double> driven_rates(const SparsePattern& p, std::span<const double> C,
-                                 std::span<const double> mass) {
+/// The mass that a pair of unknowns gives to the second of them: its own, or that of the first if it has
+/// none.
+double mass_beside(std::span<const double> mass, std::size_t at, std::size_t beside) {
+  return mass[beside] > 0 ? mass[beside] : mass[at];
+}
+
+/// For each unknown with mass, the rate (6e) at which C damps it [1/s]; negative if C drives it.
+std::vector<double> damping_rates(const SparsePattern& p, std::span<const double> C,
+                                  std::span<const double> mass) {
   const std::vector<double> damping = diagonal_of(p, C);
   std::vector<double> rates(static_cast<std::size_t>(p.size));
+  for (std::size_t i = 0; i < rates.size(); ++i)
+    if (mass[i] > 0) rates[i] = damping[i] / mass[i];
   const auto keep = [&](std::int32_t i, std::int32_t other, double between) {
     const auto at = static_cast<std::size_t>(i), beside = static_cast<std::size_t>(other);
     if (!(mass[at] > 0)) return;
-    const double m = mass[beside] > 0 ? mass[beside] : mass[at];
+    const double m = mass_beside(mass, at, beside);
     const double a = damping[at] / mass[at], b = between / std::sqrt(mass[at] * m), d = damping[beside] / m;
-    const double rate = std::hypot(0.5 * (a - d), b) - 0.5 * (a + d);
-    if (std::isfinite(rate)) rates[at] = std::max(rates[at], rate);
+    const double rate = 0.5 * (a + d) - std::hypot(0.5 * (a - d), b);  // (6e)
+    if (rate < 0 || p.node[at] == p.node[beside]) rates[at] = std::min(rates[at], rate);
   };
   for_pairs(p, [&](std::int32_t r, std::int32_t c, std::size_t at, std::size_t mirrored) {
-    const double between = r == c ? 0 : 0.5 * (C[at] + C[mirrored]);
-    keep(r, c, between);
-    keep(c, r, between);
+    const double between = 0.5 * (C[at] + C[mirrored]);  // (6e)
+    if (r != c) keep(r, c, between), keep(c, r, between);
     return true;
   });
   return rates;
+}
+
+/// For each unknown with mass, the sum (6d) for A.
+std::vector<double> row_sums(const SparsePattern& p, std::span<const double> A,
+                             std::span<const double> mass) {
+  std::vector<double> sums(static_cast<std::size_t>(p.size));
+  const auto add = [&](std::int32_t i, std::int32_t other, double between) {
+    const auto at = static_cast<std::size_t>(i), beside = static_cast<std::size_t>(other);
+    if (mass[at] > 0) sums[at] += between / std::sqrt(mass[at] * mass_beside(mass, at, beside));
+  };
+  for_pairs(p, [&](std::int32_t r, std::int32_t c, std::size_t at, std::size_t mirrored) {
+    const double between = 0.5 * (std::abs(A[at]) + std::abs(A[mirrored]));  // (6d)
+    add(r, c, between);
+    if (r != c) add(c, r, between);
+    return true;
+  });
+  return sums;
 }
 
 /// Adds the damping (2) of growth.hpp, C = τ G, for unknowns with neither mass nor damping.
@@ -151,14 +173,16 @@ std::vector<double> change_of_stiffness(Assembler& assembler, const RestPlace& a
 double fastest_growth(const SparsePattern& p, const LinearMotion& m, double fraction) {
   std::vector<double> N(m.K);
   for (std::size_t i = 0; i < N.size(); ++i) N[i] -= m.convex[i];
-  const auto mass = diagonal_of(p, m.M), n = largest_by_column(p, N), K = largest_by_column(p, m.K),
-             C = largest_by_column(p, m.C), driven = driven_rates(p, m.C, mass);
+  const std::vector<double> ones(static_cast<std::size_t>(p.size), 1.0);
+  const auto mass = diagonal_of(p, m.M), n = row_sums(p, N, mass), d = damping_rates(p, m.C, mass),
+             K = row_sums(p, m.K, ones), C = largest_by_column(p, m.C);
   double fastest = 0;
   for (std::size_t at = 0; at < mass.size(); ++at) {
-    const double alone = mass[at] > 0 ? driven[at] / fraction + std::sqrt(n[at] / (fraction * mass[at]))
-                         : C[at] > 0  ? K[at] / C[at]
-                                      : 0;
-    fastest = std::max(fastest, alone);
+    const double root = std::sqrt(d[at] * d[at] + 4 * fraction * n[at]);
+    const double rate = !(mass[at] > 0) ? (C[at] > 0 ? K[at] / C[at] : 0)
+                        : d[at] > 0     ? 2 * n[at] / (d[at] + root)  // without cancellation
+                                        : (root - d[at]) / (2 * fraction);
+    if (std::isfinite(rate)) fastest = std::max(fastest, rate);
   }
   return fastest;
 }

@@ -45,13 +45,15 @@ bool is_stable_by_energy(const SparsePattern& pattern, const LinearMotion& motio
 /// can grow. With K = K₊ + N, m = y*My, d = y*Cy, k = y*K₊y and n = y*Ny (y* is the conjugate transpose), the
 /// real part of (1) of growth.hpp, multiplied by y* and divided by s, is
 ///   Re s (m + k/|s|²) + Re d + Re(n/s) = 0,   m, k ≥ 0                                    (6a)
-///   c|s|m ≤ −Re d + |n|/|s|                                                               (6b)
-///   |s| ≤ max(−Re d, 0)/(cm) + (|n|/(cm))^½                                               (6c)
-/// Neither K₊, the stiffness of taut members, nor a C that damps affects (6c). The result is the largest
-/// value of (6c) over all unknowns. For an unknown, −Re d/m is the largest value over all pairs with another
-/// unknown; the value of a pair is minus the smaller eigenvalue of the 2 x 2 part of ½ (C + Cᵀ), relative to
-/// the masses. The result may be ten times too small, which does no harm: the greatest σ still finds rates
-/// that are ten times larger. An unknown without mass moves at the rate K/C.
+///   cm|s|² + Re d |s| ≤ |n|                                                               (6b)
+///   |s| ≤ 2|n|/(Re d + ((Re d)² + 4cm|n|)^½)                                              (6c)
+/// K₊, the stiffness of taut members, does not affect (6c). The result is the largest value of (6c) over all
+/// unknowns. For the unknown i, |n|/m is at most the sum of its row of ½ (|N| + |Nᵀ|), relative to the masses
+/// (Gershgorin), and Re d/m is the smaller eigenvalue of ½ (C + Cᵀ), relative to the masses, for a pair of i
+/// with another unknown: the smallest of the pairs of one node, and of all pairs if that is negative.
+///   |n|/m ≤ Σⱼ ½ (|Nᵢⱼ| + |Nⱼᵢ|) (mᵢmⱼ)^−½                                                 (6d)
+///   Re d/m = ½ (a + d) − ((½ (a − d))² + b²)^½   for the pair [a b; b d]                  (6e)
+/// An unknown without mass moves at the rate K/C.
 double fastest_growth(const SparsePattern& pattern, const LinearMotion& motion, double fraction);
 
 /// Calls visit(row, column, values[slot]…) for every entry of whole matrices of one pattern, symmetric or

@@ -4,9 +4,15 @@
 
     steering.py SOURCE_FOLDER [--lines] [--write] [--check]
 
-Prints Markdown tables: numbers in option tables, constants with a name, numbers without a name, with file, value and reason. Separate tables
-list numbers that rounding, formulas or measurements of the machine determine; their reasons are given below. `--write` writes the tables
-to tests/bench/steering.md, `--check` compares them with that page and prints the rows that differ.
+Prints Markdown tables: numbers in option tables, constants with a name, numbers without a name, with file, value and reason. A value that one
+strategy gives to an option of another takes the place of its default.
+
+Numbers that nobody can choose are not counted. Separate tables list them, with the reasons given below: what rounding, formulas or the machine
+determine, and limits that no scene reaches. A number without a name is the coefficient of a formula if a comment on its line cites the
+equation by its number, such as (3a): such a formula is derived in a header, and is wrong with any other coefficient. Limits of the range of an
+option are not counted either: they refuse a value that a user gives, and no default is refused.
+
+`--write` writes the tables to tests/bench/steering.md, `--check` compares them with that page and prints the rows that differ.
 
 The script reads the strategies that `auto` calls, the solvers that these use, the assessment of an equilibrium and the choice among several.
 It does not read the search for winch settings, branches of studies, motions, and methods that `auto` does not use.
@@ -41,7 +47,6 @@ EXPLAINED = {  # names of constants, fragments of lines
         "epsilon()": "multiples of the rounding of a double",
         "kEnergyRoundOff": "rounding of a sum of many terms",
         "kLeastRemainder": "orthogonalised twice is enough (Parlett)",
-        "kAsManyAsItTakes": "no influence, because the budget of work ends the search first",
         "1e-14": "eigenvalues of a small tridiagonal matrix, to rounding",
         "high = low * (1 + 1e-12)": "eigenvalues of a small tridiagonal matrix, to rounding",
         **dict.fromkeys(("kLightest", "kSolved"), "half of the digits of a double"),
@@ -90,6 +95,12 @@ EXPLAINED = {  # names of constants, fragments of lines
         "time < 2": "orthogonalised twice is enough (Parlett)",
         "(1 - reached)": "Mehrotra's exponent, 3",
     },
+    "limit": {
+        "kAsManyAsItTakes": "the budget of work ends the search first",
+        "kDeepestCall": "ends endless recursion: two calls for each coarser mesh, and no scene has thirty",
+        "kLeastGrowth": "range of an option",
+        "double least = ": "range of an option",
+    },
     "cost of the machine": {
         **dict.fromkeys(("kPerEntry", "kPerResidual", "kPerMatrix"), "measured by tests/bench/work_model.cpp"),
         "829.0": "nested dissection of a square grid (George 1973)",
@@ -101,6 +112,9 @@ EXPLAINED = {  # names of constants, fragments of lines
 TOKEN = re.compile(
     r"//[^\n]*|\"(?:\\.|[^\"\\])*\"|'(?:\\.|[^'\\])*'"
     r"|(?<![\w.])(?:0x[0-9a-fA-F.]+p?[-+]?\d*|\d+\.?\d*(?:e[-+]?\d+)?|\.\d+)u?(?!\w)", re.S)
+EQUATION = re.compile(r"//.*(\(\d+[a-z]?\))")
+# Options that a strategy gives to another one, in the words of the option `strategy`.
+GIVEN = re.compile(r"[:,](\w+)=([-\d.e]+)")
 CALL = re.compile(r"(?:\.(real|integer)|\b(add))\(")
 
 
@@ -184,6 +198,8 @@ def numbers_of(file, text):
             found.append(Number("constant", file, at + 1, f"`{named[0]}`", value, comment_at(lines, at)))
         elif member:
             found.append(Number("constant", file, at + 1, f"`{member[0]}`", value, comment_at(lines, at)))
+        elif equation := EQUATION.search(line):
+            found.append(Number("formula", file, at + 1, "", value, f"coefficient of {equation[1]}"))
         elif not (value.isdigit() and INDEX.search(line)):
             found.append(Number("bare", file, at + 1, "", value, f"`{line.strip().replace('|', chr(92) + '|')}`"))
     return found
@@ -191,11 +207,16 @@ def numbers_of(file, text):
 
 def all_numbers(root):
     files = sorted({f for pattern in READ for f in root.glob(pattern) if f.suffix in (".hpp", ".cpp")})
-    found = []
+    found, given = [], {}
     for path in files:
-        file = str(path.relative_to(root))
+        file, text = str(path.relative_to(root)), path.read_text()
         if file not in GEOMETRY:
-            found += numbers_of(file, path.read_text())
+            found += numbers_of(file, text)
+        for words in re.findall(r'"(\w[\w=,:./-]*)"', text):
+            given |= {f"`{name}`": value for name, value in GIVEN.findall(words) if value not in ("0", "1")}
+    for number in found:
+        if number.kind == "option" and number.value in ("0", "1") and number.name in given:
+            number.value = given[number.name]
     return found
 
 
@@ -209,6 +230,7 @@ def page(numbers, lines):
     heads = {"option": ("In option tables: `netloft describe auto`", "option"),
              "constant": ("Constants", "name"), "bare": ("Without a name", ""),
              "rounding": ("Not counted: rounding", "name"), "formula": ("Not counted: formulas", "name"),
+             "limit": ("Not counted: limits that no scene reaches, and ranges of options", "name"),
              "cost of the machine": ("Not counted: what operations cost, and memory", "name")}
     for kind, (head, name) in heads.items():
         rows = list(dict.fromkeys(n.row(lines) for n in numbers if n.kind == kind))

@@ -33,10 +33,9 @@ const Row kTable[] = {
     // The strategy auto itself solves the coarser mesh, starting from a still coarser mesh if there is one.
     // On the finer mesh, the strategy has to find out which members are slack. Newton's method does this
     // member by member, tension/only does it for all members at once.
-    // If the coarser mesh leaves few members slack, Newton's method is quicker: in the panel of
-    // fig. 6a, with 16 to 20 % slack, it takes 11 factorisations, with tension/only 36; in trawls, with 55 to
-    // 79 %,
-    // 25 to 155 and 21 to 73.
+    // If the coarser mesh leaves few members slack, Newton's method is quicker: in the panel of fig. 6a, with
+    // 16 to 20 % slack, it takes 11 factorisations, with tension/only 36; in trawls, with 55 to 79 %, 25 to
+    // 155 and 21 to 73.
     {{"coarse-to-fine", "coarse-to-fine", "by=auto:restarts=0,then=tension/only:least_slack=0.33",
       "a coarser mesh costs a fraction of the work and leads near the solution; the step to the fine mesh "
       "decides which members are slack"},

@@ -109,6 +109,10 @@ length = {f.length(1.3)}
 cells = 8
 sketch = {f.line((0.3, 1 if flip else -1, -6), (0.3, -1 if flip else 1, -6))}
 rope = {{ diameter = {f.length(0.03)}, EA = 1e5, EA_compression = 0, density = 5000 }}
+
+[analysis]
+tolerance = 1e-10
+swinging = "accepted"                          # the slack chain flutters
 """
     join = """
 [[join]]

@@ -159,7 +159,7 @@ TEST(Verdict, AsksOnceForTheStabilityOfOneEquilibrium) {
   const auto asked = [&](std::span<const double> u) {
     const Assessment found = assess_static({a.scene, a.assembler, make_factorisation}, u, limits);
     EXPECT_EQ(found.stability, Stability::stable);
-    return found.judging.solves > 10;
+    return found.judging.solves > 1;  // one of them is for the distance from the equilibrium
   };
   EXPECT_TRUE(asked(loose));
   EXPECT_FALSE(asked(loose));
