@@ -32,6 +32,7 @@ COMMANDS = {  # what it is called with
     "optimum.py": (PROGRAM, LIBRARY, "--nodes", "100", "--starts", "1"),
     "motions.py": (PROGRAM, SOURCE, "--scenes", "pendulum", "--schemes", "newmark", "--accuracies", "1e-1"),
     "large_study.py": (PROGRAM, LIBRARY / "studies/83-112-speed-depth.toml", "--samples", "1", "--nodes", "100", "--engines", "pool", "--jobs", "1"),
+    "lifts.py": (PROGRAM, LIBRARY, "--nodes", "100", "--points", "5"),
     "library_gears.py": (PROGRAM, LIBRARY, "--nodes", "100", "--only", "flume-3.0kn"),
     "knots.py": (PROGRAM, "codend.toml", "--nodes", "100"),
     "slowed_water.py": (PROGRAM, LIBRARY, "--times", "1", "--nodes", "100", "--only", "two-panel"),
