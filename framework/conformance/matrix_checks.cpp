@@ -76,7 +76,7 @@ Finding metric_bounds_convex(Bench& b) {
       const Answer convex = b.specimen->evaluate(term, s, NETLOFT_WANT_CONVEX);
       for (std::size_t lane = 0; lane < s.count; ++lane) {
         const auto m = matrix_of(b, term, metric, lane), c = matrix_of(b, term, convex, lane);
-        worst.note(negativity(m - c, c),
+        worst.note(negativity(m - c, m),
                    [&] { return b.place(term, s, lane) + ": stiffer than the metric"; });
       }
     }

@@ -8,9 +8,8 @@ NETLOFT_PLUGIN("lumped", "0.1.0", "Netting as point masses, springs and dampers"
       "net", "Bar that represents several parallel twines of netting, with masses at its ends");
   net.real("twine.EA", &Net::Parameters::EA, "N", "axial stiffness of one twine",
            {.lo = 0, .hi = 1e12, .role = netloft::Role::stiffness});
-  net.real(
-      "twine.EA_compression", &Net::Parameters::EA_compression, "N", "axial stiffness of a slack twine",
-      {.lo = 0, .hi = 1e12, .fallback = 1e-4, .fallback_of = "twine.EA", .role = netloft::Role::compression});
+  net.real("twine.EA_compression", &Net::Parameters::EA_compression, "N", "axial stiffness of a slack twine",
+           {.lo = 0, .hi = 1e12, .fallback = 0, .role = netloft::Role::compression});
   net.real("twine.diameter", &Net::Parameters::diameter, "m", "diameter of one twine", {.lo = 0, .hi = 1});
   net.real("twine.density", &Net::Parameters::density, "kg/m3", "density of the twine's material",
            {.lo = 0, .hi = 1e6});

@@ -12,9 +12,9 @@ NETLOFT_PLUGIN("priour", "0.1.0", "Netting as Priour's triangles") {
   auto& t = plugin.element<Triangle>("triangle", "Triangle of netting with straight, parallel twines inside");
   t.real("twine.EA", &Triangle::Parameters::EA, "N", "axial stiffness of one twine",
          {.lo = 0, .hi = 1e12, .role = netloft::Role::stiffness});
-  t.real(
-      "twine.EA_compression", &Triangle::Parameters::EA_compression, "N", "axial stiffness of a slack twine",
-      {.lo = 0, .hi = 1e12, .fallback = 1e-4, .fallback_of = "twine.EA", .role = netloft::Role::compression});
+  t.real("twine.EA_compression", &Triangle::Parameters::EA_compression, "N",
+         "axial stiffness of a slack twine",
+         {.lo = 0, .hi = 1e12, .fallback = 0, .role = netloft::Role::compression});
   t.real("twine.diameter", &Triangle::Parameters::diameter, "m", "diameter of one twine", {.lo = 0, .hi = 1});
   t.real("twine.density", &Triangle::Parameters::density, "kg/m3", "density of the twine's material",
          {.lo = 0, .hi = 1e6});

@@ -99,7 +99,11 @@ Known hanging_netting(double EA) {
     for (std::size_t i = 0; i < 2; ++i)
       add(j, i), add(j + 1, i), add(j, i + 1), add(j + 1, i), add(j + 1, i + 1), add(j, i + 1);
   Part& net = s.part("net", "priour/triangle",
-                     {{"twine.EA", EA}, {"twine.diameter", kTwine}, {"twine.density", kDensity}}, corners);
+                     {{"twine.EA", EA},
+                      {"twine.EA_compression", 1e-4 * EA},
+                      {"twine.diameter", kTwine},
+                      {"twine.density", kDensity}},
+                     corners);
   net.data["u"] = u, net.data["v"] = v, net.data["bar_length"].assign(8, kBar);
   // |d| = 4·4 + 4·4 bars in every triangle, in both directions together
   const double weight = 8 * 32 * kBar * std::numbers::pi / 4 * kTwine * kTwine * (kDensity - 1025) * 9.81;
