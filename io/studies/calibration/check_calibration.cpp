@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/calibration/scene_model.hpp"
 
-#include "framework/parameters/nearest.hpp"
+#include "io/formats/text/likely_path.hpp"
 #include "io/formats/units/units.hpp"
 #include "io/studies/sweep/path_run.hpp"
 #include "io/studies/variables/scene_faults.hpp"
@@ -84,7 +84,7 @@ class CalibrationInspection {
       known.push_back(figure.name);
       if (figure.name == row.figure) return take_numbers(m, figure.unit);
     }
-    const auto near = nearest(row.figure, known);
+    const auto near = formats::likely_path(row.figure, known);
     diagnostics_.error(row.place, "the scene does not report a figure \"" + row.figure + "\"",
                        near ? "did you mean \"" + *near + "\"?"
                             : "such as results/NAME, gear/mouth/headline_height, held/NAME/x");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/optimum/check_optimum.hpp"
 
-#include "framework/parameters/nearest.hpp"
+#include "io/formats/text/likely_path.hpp"
 #include "io/formats/toml/document.hpp"
 #include "io/formats/units/units.hpp"
 #include "io/results/file/provenance.hpp"
@@ -31,7 +31,7 @@ class OptimumInspection {
         diagnostics_(diagnostics),
         on_budget_(on_budget) {
     for (const OptimumVariable& v : file.variables)
-      for (const FollowingKey& key : v.variable.keys) places_.emplace(key.path, v.variable.place);
+      for (const FollowingKey& key : v.variable.keys) places_.emplace(key.path, key.place);
     for (const std::string& word : file.set) places_.emplace(word.substr(0, word.find('=')), file.set_place);
   }
 
@@ -87,7 +87,7 @@ class OptimumInspection {
       if (figure.name == name) return &figure;
       names.push_back(figure.name);
     }
-    const auto near = nearest(name, names);
+    const auto near = formats::likely_path(name, names);
     diagnostics_.error(
         place, "the scene does not report a figure \"" + name + "\"",
         near ? "did you mean \"" + *near + "\"?" : "such as results/NAME, gear/mouth/headline_height");
@@ -164,20 +164,22 @@ class OptimumInspection {
   /// The number that the scene states for a variable; nullopt after an error.
   std::optional<double> start_in_scene(const Variable& variable) {
     const FollowingKey& key = variable.keys.front();
-    const std::string cure =
-        "give it a start, such as start = \"" + formats::format(variable.interval->low, variable.unit) + "\"";
     try {
       const auto found = chosen_numbers(*checked_.scene, {key.path});
       if (found.size() > 1) throw std::invalid_argument(key.path + " is a table; name one of its numbers");
       const SceneNumber& number = found.front();
       const auto value = number_in_unit(formats::format(number.value, number.unit), variable.unit);
       if (value) return (*value - key.offset) / key.factor;
-      diagnostics_.error(variable.place,
-                         variable.name + ": the scene states " + formats::format(number.value, number.unit) +
-                             ", which is no number in the unit of the range",
-                         cure);
+      diagnostics_.error(
+          key.place,
+          key.path + " is " + formats::format(number.value, number.unit) +
+              " in the scene, but the range of the variable has " +
+              (variable.unit.empty() ? "no unit" : "the unit " + variable.unit),
+          number.unit.empty() ? "write the range without a unit" : "write the range in " + number.unit);
     } catch (const std::invalid_argument& fault) {
-      diagnostics_.error(variable.place, variable.name + ": " + fault.what(), cure);
+      diagnostics_.error(key.place, variable.name + ": " + fault.what(),
+                         "or give it a start, such as start = \"" +
+                             formats::format(variable.interval->low, variable.unit) + "\"");
     }
     return std::nullopt;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/sensitivity/scene_numbers.hpp"
 
-#include "framework/parameters/nearest.hpp"
+#include "io/formats/text/likely_path.hpp"
 #include "io/formats/units/units.hpp"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ bool is_below(const std::string& path, const std::string& table) {
 std::string no_number(const std::string& path, const std::vector<SceneNumber>& numbers) {
   std::vector<std::string> paths;
   for (const SceneNumber& number : numbers) paths.push_back(number.path);
-  const auto near = nearest(path, paths);
+  const auto near = formats::likely_path(path, paths);
   return "the scene states no number \"" + path + "\"; " +
          (near ? "did you mean \"" + *near + "\"?"
                : "write it into the scene, or state it with --set " + path + "=VALUE");

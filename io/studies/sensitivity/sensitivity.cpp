@@ -3,7 +3,7 @@
 
 #include "framework/balance/scales.hpp"
 #include "framework/judging/correction.hpp"
-#include "framework/parameters/nearest.hpp"
+#include "io/formats/text/likely_path.hpp"
 #include "io/formats/work/long_work.hpp"
 #include "io/results/figures/key_figures.hpp"
 #include "io/results/figures/make_result.hpp"
@@ -314,7 +314,7 @@ std::vector<std::size_t> chosen_figures(const results::Result& result,
       if (is_in_group(all[f], name) && std::ranges::find(chosen, f) == chosen.end()) chosen.push_back(f);
     if (chosen.size() > before || std::ranges::any_of(all, [&](auto& one) { return is_in_group(one, name); }))
       continue;
-    const auto near = nearest(name, all);
+    const auto near = formats::likely_path(name, all);
     throw std::invalid_argument(
         "there is no figure \"" + name + "\"; " +
         (near ? "did you mean \"" + *near + "\"?" : "`netloft report` lists them all"));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/sweep/check_study.hpp"
 
-#include "framework/parameters/nearest.hpp"
+#include "io/formats/text/likely_path.hpp"
 #include "io/runs/prepared_scene.hpp"
 #include "io/studies/sweep/path_run.hpp"
 #include "io/studies/variables/scene_faults.hpp"
@@ -103,7 +103,7 @@ class StudyInspection {
     found_.figures.assign(known_.begin(), known_.end());
     for (std::size_t f = 0; f < file_.figures.size(); ++f) {
       if (known_.contains(file_.figures[f])) continue;
-      const auto near = nearest(file_.figures[f], found_.figures);
+      const auto near = formats::likely_path(file_.figures[f], found_.figures);
       diagnostics_.error(file_.figure_places[f],
                          "the scene does not report a figure \"" + file_.figures[f] + "\"",
                          near ? "did you mean \"" + *near + "\"?"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/studies/sweep/study_plots.hpp"
 
-#include "framework/parameters/nearest.hpp"
+#include "io/formats/text/likely_path.hpp"
 #include "io/studies/sweep/study_statistics.hpp"
 
 #include <fmt/format.h>
@@ -126,7 +126,7 @@ class Plotter {
     for (const StudyFigure& figure : table_.figures) names.push_back(figure.name);
     for (const std::string& one : wanted) {
       const auto at = std::find(names.begin(), names.end(), one);
-      const auto near = nearest(one, names);
+      const auto near = formats::likely_path(one, names);
       if (at == names.end())
         throw StudyError("there is no figure \"" + one + "\"" +
                          (near ? "; did you mean \"" + *near + "\"?" : ""));

@@ -156,6 +156,7 @@ class VariableReader {
     if (key.path.empty()) return refuse(at, table_.path("key") + " is empty (" + kKeyDoc + ")");
     if (!key.follows_as_it_is() && !variable_.is_number())
       refuse(at, table_.path() + ": only numbers have a factor and an offset");
+    key.place = at.place;
     variable_.keys.push_back(std::move(key));
   }
 

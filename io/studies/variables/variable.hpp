@@ -18,6 +18,7 @@ struct VariableValue {
 struct FollowingKey {
   std::string path;  // path as for `--set`: "tow.speed", "points.towing-point.at[2]"
   double factor = 1, offset = 0;
+  formats::Place place = {};  // place of the path in the file
   bool follows_as_it_is() const { return factor == 1 && offset == 0; }
 };
 

@@ -222,11 +222,11 @@ TEST_F(SceneOptimumTest, RefusesWrongConstraints) {
 
 TEST_F(SceneOptimumTest, RefusesWrongVariables) {
   const std::string wrong = replaced(kRope, "parts.rope.length", "parts.rope.lenght");
-  EXPECT_EQ(errors_of(wrong), "3:1: unknown key \"lenght\" in parts.rope (did you mean \"length\"?)\n");
+  EXPECT_EQ(errors_of(wrong), "4:7: unknown key \"lenght\" in parts.rope (did you mean \"length\"?)\n");
   EXPECT_EQ(
       errors_of(replaced(wrong, "start = \"11 m\"\n", "")),
-      "3:1: length: the scene states no number \"parts.rope.lenght\"; did you mean \"parts.rope.length\"? "
-      "(give it a start, such as start = \"8.5 m\")\n");
+      "4:7: length: the scene states no number \"parts.rope.lenght\"; did you mean \"parts.rope.length\"? "
+      "(or give it a start, such as start = \"8.5 m\")\n");
   EXPECT_EQ(errors_of(replaced(kRope, "start = \"11 m\"", "start = \"13 m\"")),
             "6:9: variables.length.start: lies outside the range\n");
   const std::string range = "range = [\"8.5 m\", \"12 m\"]\nstart = \"11 m\"";
