@@ -16,6 +16,32 @@ using Vector = Eigen::VectorXd;
 // Rounding error of K in (7) of cayley.hpp, relative to its entries.
 constexpr double kRoundingOfK = 10 * std::numeric_limits<double>::epsilon();
 
+/// Adds A x to y, for a pattern that is not symmetric. Three columns that have the same rows, as those of a
+/// node do, take one pass over these rows.
+void add_whole_product(const SparsePattern& p, std::span<const double> A, const double* x, double* y) {
+  const std::int32_t *start = p.column_start.data(), *row = p.row.data();
+  const auto value = [&](std::int32_t k) { return A[p.slot_of(static_cast<std::size_t>(k))]; };
+  for (std::int32_t c = 0, last; c < p.size; c = last) {
+    const std::int32_t k1 = start[c], rows = start[c + 1] - k1;
+    const bool are_three = c + 3 <= p.size && start[c + 3] - k1 == 3 * rows &&
+                           std::equal(row + k1, row + k1 + rows, row + k1 + rows) &&
+                           std::equal(row + k1, row + k1 + rows, row + k1 + 2 * rows);
+    last = are_three ? c + 3 : c + 1;
+    if (are_three)
+      for (std::int32_t k = k1; k < k1 + rows; ++k)
+        y[row[k]] += value(k) * x[c] + value(k + rows) * x[c + 1] + value(k + 2 * rows) * x[c + 2];
+    else
+      for (std::int32_t k = k1; k < k1 + rows; ++k) y[row[k]] += value(k) * x[c];
+  }
+}
+
+/// Adds A x to y.
+void add_product(const SparsePattern& p, std::span<const double> A, const Vector& x, Vector& y) {
+  if (!p.symmetric) return add_whole_product(p, A, x.data(), y.data());
+  for_entries(
+      p, [&](std::int32_t r, std::int32_t c, double a) { y[r] += a * x[c]; }, A);
+}
+
 /// Computes A y.
 Eigen::VectorXcd product(const SparsePattern& p, std::span<const double> A, const Eigen::VectorXcd& y) {
   Eigen::VectorXcd to = Eigen::VectorXcd::Zero(y.size());
@@ -51,9 +77,7 @@ Vector Cayley::operator*(const Vector& z) {
   const auto y = z.head(unknowns()), v = z.tail(unknowns());
   const Vector sigma_y = sigma_ * y, carried = sigma_ * (sigma_y + v);
   rhs_.setZero();
-  for_entries(
-      pattern_, [&](std::int32_t r, std::int32_t c, double damping) { rhs_[r] += damping * sigma_y[c]; },
-      motion_.C);
+  add_product(pattern_, motion_.C, sigma_y, rhs_);
   for (const auto& [r, c, mass] : masses_) rhs_[r] += mass * carried[c];
   factors_.solve(span_of(rhs_), span_of(w_));
   Vector to(z.size());
@@ -63,17 +87,15 @@ Vector Cayley::operator*(const Vector& z) {
 }
 
 Vector Cayley::weighed(const Vector& z) const {
-  const auto y = z.head(unknowns()), v = z.tail(unknowns());
-  Vector to = Vector::Zero(z.size());
-  auto along_y = to.head(unknowns()), along_v = to.tail(unknowns());
+  const Vector y = z.head(unknowns());
+  Vector along_y = Vector::Zero(unknowns()), to = Vector::Zero(z.size());
+  add_product(pattern_, motion_.convex, y, along_y);
   const double square = sigma_ * sigma_;
-  for_entries(
-      pattern_, [&](std::int32_t r, std::int32_t c, double stiffness) { along_y[r] += stiffness * y[c]; },
-      motion_.convex);
   for (const auto& [r, c, mass] : masses_) {
     along_y[r] += square * mass * y[c];
-    along_v[r] += mass * v[c];
+    to[unknowns() + r] += mass * z[unknowns() + c];
   }
+  to.head(unknowns()) = along_y;
   return to;
 }
 
