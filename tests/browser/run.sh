@@ -19,7 +19,7 @@ main() {
   else
     check_libraries
     make_results
-    run_node --test --test-reporter=spec test_page.mjs test_design.mjs
+    run_node --test --test-reporter=spec test_page.mjs test_design.mjs test_tasks.mjs
   fi
 }
 

@@ -1,42 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from 'node:assert/strict';
-import {spawn} from 'node:child_process';
-import {mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync} from 'node:fs';
+import {readFileSync, readdirSync} from 'node:fs';
 import {createRequire} from 'node:module';
-import {tmpdir} from 'node:os';
 import {join} from 'node:path';
-import {createInterface} from 'node:readline';
 import {after, before, test} from 'node:test';
 import {canvasPixels, drawn, launch, luminances, variance} from './browser.mjs';
+import {openDesign as open, serveDesign} from './design_page.mjs';
 
 const AXE = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 const SCENE = join(process.env.NETLOFT_SOURCE_DIR, 'gear-library/scenes/83-112-flume-3.0kn.toml');
 const OWN = `# my trawl\ninclude = ["${SCENE}"]\n[gear]\nnodes = 200\n[tow]\nspeed = "3 kn"   # over the ground\n`;
 
-const folder = mkdtempSync(join(tmpdir(), 'netloft-design-test-')), running = [];
+const running = [];
 let browser, flat;
 
-/** A design in a folder of its own, and the address that it prints. */
 async function serve(text = OWN) {
-  const cwd = mkdtempSync(join(folder, 'design-'));
-  writeFileSync(join(cwd, 'own.toml'), text);
-  const process_ = spawn(process.env.NETLOFT_PROGRAM, ['design', 'own.toml', '--json'], {cwd, stdio: ['ignore', 'pipe', 'ignore']});
-  running.push(process_);
-  const line = await new Promise((done) => createInterface({input: process_.stdout}).once('line', done));
-  return {address: JSON.parse(line).address, file: join(cwd, 'own.toml'), process: process_};
-}
-
-/** Opens the page of a design; `seen` keeps errors, and requests to anything but the program. */
-async function open(context, address, {width = 1400, height = 900, scheme = 'light'} = {}) {
-  const page = await context.newPage(), seen = {errors: [], requests: []};
-  await page.setViewportSize({width, height});
-  await page.emulateMedia({colorScheme: scheme});
-  page.on('console', (message) => { if (message.type() === 'error') seen.errors.push(message.text()); });
-  page.on('pageerror', (error) => seen.errors.push(error.message));
-  page.on('request', (request) => { if (!request.url().startsWith(address) && !/^(data|blob):/.test(request.url())) seen.requests.push(request.url()); });
-  await page.goto(address);
-  await page.waitForFunction(() => document.documentElement.dataset.ready, null, {timeout: 60000});
-  return {page, seen};
+  const design = await serveDesign(text);
+  running.push(design);
+  return design;
 }
 
 const sliderOf = (page, path) => page.locator(`.one-number[data-path="${path}"] input[type=range]`);
@@ -56,9 +37,8 @@ const revision = (page) => page.evaluate(() => window.netloftDesigner.revision);
 
 before(async () => { [browser, flat] = [await launch(), await launch({webgl: false})]; });
 after(async () => {
-  for (const one of running) one.kill('SIGINT');
+  for (const one of running) one.end();
   await Promise.all([browser.close(), flat.close()]);
-  rmSync(folder, {recursive: true, force: true});
 });
 
 test('a slider moves, its ghost follows at once and the equilibrium after it', async () => {
@@ -168,6 +148,35 @@ test('questions are answered', async () => {
   await page.waitForFunction(() => /it is set/.test(document.getElementById('answer').textContent), null, {timeout: 30000});
   await page.waitForFunction(() => Math.abs(window.netloftDesigner.shape.figures.find((f) => f.name === 'mouth/headline_height').value - 2) < 1e-3, null, {timeout: 30000});
   assert.deepEqual(seen, {errors: [], requests: []});
+});
+
+test('files are exported, and errors of the mesh stand beside the figures', async () => {
+  const {address} = await serve(OWN.replace('nodes = 200', 'nodes = 500')), {page, seen} = await open(browser.context, address);
+  for (const [kind, begin] of [['svg', '<svg'], ['hdf', '\u0089HDF'], ['html', '<!DOCTYPE html>']]) {
+    await page.selectOption('#export', kind);
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#do-export')]);
+    assert.ok(download.suggestedFilename().endsWith(`.${kind}`), download.suggestedFilename());
+    assert.ok(readFileSync(await download.path(), 'latin1').trimStart().replace(/^<\?xml[^>]*>\s*/, '').startsWith(begin), kind);
+  }
+  assert.equal(await page.locator('#report td:nth-child(4)', {hasText: '±'}).count(), 0);
+  await page.click('#ask-errors');
+  await page.waitForFunction(() => [...document.querySelectorAll('#report td:nth-child(4)')].some((cell) => cell.textContent.includes('±')), null, {timeout: 60000});
+  assert.deepEqual(seen, {errors: [], requests: []});
+});
+
+test('everything on the page is reached with the Tab key, and a number is changed by keys alone', async () => {
+  const {address} = await serve(), {page} = await open(browser.context, address), first = await revision(page);
+  const wanted = await page.evaluate(() => ['undo', 'save-text', 'export', 'do-export', 'tab-plan', 'canvas', 'filter', 'set', 'figure', 'ask-influences', 'moved', 'ask-sweep', 'ask-range', 'target', 'ask-reach', 'ask-errors'].filter((id) => !document.getElementById(id).disabled));
+  const reached = new Set();
+  await page.evaluate(() => { document.activeElement.blur(); document.querySelector('details[data-table="tow"]').open = true; });
+  for (let i = 0; i < 300 && (reached.size === 0 || !wanted.every((id) => reached.has(id)) || !reached.has('tow.speed')); ++i) {
+    await page.keyboard.press('Tab');
+    const at = await page.evaluate(() => document.activeElement.id || (document.activeElement.closest('.one-number') || {dataset: {}}).dataset.path);
+    if (at === 'tow.speed' && !reached.has(at)) await page.keyboard.press('ArrowRight');
+    reached.add(at);
+  }
+  assert.deepEqual(wanted.filter((id) => !reached.has(id)), []);
+  await solved(page, first + 1);
 });
 
 test('without WebGL the plan, the numbers and the report still work', async () => {

@@ -11,6 +11,7 @@
 #include "io/runs/coarser.hpp"
 #include "io/runs/equilibrium.hpp"
 #include "io/runs/tangent.hpp"
+#include "io/studies/compare/mesh_error.hpp"
 #include "io/studies/sweep/branch.hpp"
 
 #include <algorithm>
@@ -354,12 +355,25 @@ std::string LiveScene::plan_drawing() {
   return picture.finish(size, size.width);
 }
 
-std::unique_ptr<Equilibrium> LiveScene::neighbour(const Equilibrium& from, const studies::SceneNumber& number,
-                                                  double value, const std::atomic<bool>& interrupt,
-                                                  std::string& why_not) {
+results::Result LiveScene::with_mesh_errors(const std::atomic<bool>& interrupt) const {
+  if (!last_) throw Refused("there is no equilibrium yet");
+  results::Result result = last_->result;
+  try {
+    studies::find_mesh_errors(last_->scene->source(), registry_, *last_->scene, last_->solution,
+                              studies::levels_around(last_->scene->loaded()), watch_with(interrupt), result);
+  } catch (const std::invalid_argument& e) {
+    throw Refused(e.what());
+  }
+  if (interrupt) throw formats::Interrupted{};
+  return result;
+}
+
+std::unique_ptr<Equilibrium> LiveScene::neighbour(const Equilibrium& from,
+                                                  std::span<const formats::Change> changes,
+                                                  const std::atomic<bool>& interrupt, std::string& why_not) {
   Outcome outcome;
   runs::CaseSource source = from.scene->source();
-  formats::append(source.changes, number.to(value));
+  formats::append(source.changes, {changes.begin(), changes.end()});
   auto next = std::make_unique<Equilibrium>();
   next->scene = prepare(source, factorisations(), outcome);
   if (!next->scene) {

@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -95,12 +96,13 @@ class LiveScene {
   formats::Diagnostics check();
   /// The plan of the last text as SVG; empty without a plan, or if it has errors.
   std::string plan_drawing();
-  /// The equilibrium at another value of a number, found by continuation from a given equilibrium and by no
-  /// other search. If there is none, the result is nullptr and `why_not` a sentence. Throws
-  /// formats::Interrupted.
-  std::unique_ptr<Equilibrium> neighbour(const Equilibrium& from, const studies::SceneNumber& number,
-                                         double value, const std::atomic<bool>& interrupt,
-                                         std::string& why_not);
+  /// The equilibrium after changes of numbers, found by continuation from a given equilibrium and by no other
+  /// search. If there is none, the result is nullptr and `why_not` a sentence. Throws formats::Interrupted.
+  std::unique_ptr<Equilibrium> neighbour(const Equilibrium& from, std::span<const formats::Change> changes,
+                                         const std::atomic<bool>& interrupt, std::string& why_not);
+  /// The result of the last equilibrium with the errors of its mesh, for which the scene is solved on other
+  /// meshes. Throws Refused and formats::Interrupted.
+  results::Result with_mesh_errors(const std::atomic<bool>& interrupt) const;
   /// Units, ranges and descriptions of the numbers that were read so far, by their paths.
   const std::map<std::string, formats::NumberWords>& words() const { return words_; }
   /// A number of the scene of the last equilibrium. Throws Refused.

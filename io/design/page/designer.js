@@ -29,6 +29,15 @@ class Designer {
       if (as) { const state = await this.server.ask('save', {as}); this.showState(state); this.say(`written: ${state.written.join(', ')}`); }
     });
     press('go-back', async () => { $('notice').hidden = true; this.showState(await this.server.ask('undo')); });
+    press('ask-errors', async () => {
+      $('errors-said').textContent = 'solving on other meshes …';
+      try {
+        const {figures, note} = await this.server.ask('errors');
+        showReport(withErrors(this.shape.figures, figures));
+        $('errors-said').textContent = `The error of the mesh ${note}`;
+      } catch (error) { $('errors-said').textContent = error.message; }
+    });
+    press('do-export', () => this.download($('export').value));
     press('stop', async () => { $('stop').hidden = true; await this.server.ask('stop'); });
     press('dismiss', async () => { $('notice').hidden = true; });
     $('set-form').addEventListener('submit', (event) => { event.preventDefault(); this.apply({set: $('set').value}); });
@@ -38,6 +47,21 @@ class Designer {
       event.preventDefault();
       $(event.shiftKey ? 'redo' : 'undo').click();
     });
+  }
+
+  /** Gives a file to the browser, which writes it where it writes downloads. */
+  async download(kind) {
+    const file = kind === 'svg' ? {name: `${$('title').textContent.replace(/\.toml$/, '')}.svg`, data: (await this.server.ask('plan')).svg} : await this.exported(kind);
+    if (!file.data.length) throw new Error('there is no plan to export');
+    const url = URL.createObjectURL(new Blob([file.data])), link = element('a', {href: url, download: file.name});
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(url), 10000);
+    this.say(`${file.name} is given to the browser`);
+  }
+
+  async exported(kind) {
+    const {name, base64} = await this.server.ask('export', {as: kind});
+    return {name, data: Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))};
   }
 
   /** A click on the plan opens the part whose name is nearest. */
@@ -71,7 +95,7 @@ class Designer {
     this.shape.ghost(path, value).then((figures) => { if (figures && this.moving && this.moving.value === value) showKeyFigures(figures, true); });
     clearTimeout(this.rest);
     const goesOn = this.gesture === path;
-    this.rest = setTimeout(() => { this.gesture = isMoving ? path : null; this.apply({path, to: value, goes_on: goesOn}); }, isMoving ? REST : 0);
+    this.rest = setTimeout(() => { this.rest = null; this.gesture = isMoving ? path : null; this.apply({path, to: value, goes_on: goesOn}); }, isMoving ? REST : 0);
   }
 
   async apply(change) {
@@ -132,7 +156,7 @@ class Designer {
 
   /** A run of the text from its sketch has ended; its equilibrium is the one that the saved file has. */
   async confirmed(outcome) {
-    if (this.moving || outcome.revision < (this.wanted || 0)) return;
+    if (this.rest || outcome.revision < (this.wanted || 0)) return;
     if (outcome.status !== 'converged') {
       this.warn(`A run of this text from its sketch finds no equilibrium: ${outcome.sentence}. The shape shown was reached from its neighbour.`);
       return;

@@ -25,6 +25,7 @@ class Questions {
     this.numbers = numbers;
     this.fill($('figure'), [...figures].sort((a, b) => b.key - a.key).map((f) => [f.name, words(f.name)]));
     this.fill($('moved'), numbers.map((n) => [n.path, n.path]));
+    if ($('also').options.length !== numbers.length) $('also').replaceChildren(...numbers.map((n) => element('option', {value: n.path}, n.path)));
     if ($('from').value === '') this.suggest();
   }
 
@@ -86,8 +87,9 @@ class Questions {
   }
 
   async reach() {
-    const path = $('moved').value, found = await this.server.ask('reach', {figure: $('figure').value, target: Number($('target').value), path});
-    $('answer').textContent = `${path} = ${formatNumber(found.value, 6)} ${found.unit} gives ${words(found.figure)} = ${withUnit(found.reached, this.figure().unit)}; it is set.`;
-    this.onSet(path, found.value);
+    const paths = [...new Set([$('moved').value, ...[...$('also').selectedOptions].map((o) => o.value)])];
+    const found = await this.server.ask('reach', {figure: $('figure').value, target: Number($('target').value), paths});
+    $('answer').textContent = `${found.numbers.map((n) => `${n.path} = ${formatNumber(n.value, 6)} ${n.unit}`.trim()).join(', ')} gives ${words(found.figure)} = ${withUnit(found.reached, this.figure().unit)}; it is set.`;
+    for (const {path, value} of found.numbers) await this.onSet(path, value);
   }
 }

@@ -19,15 +19,23 @@ function showKeyFigures(figures, isGhost) {
   }));
 }
 
+const errorText = (error, unit) => (Number.isFinite(error) ? `± ${formatNumber(Math.abs(error), 2)} ${unitText(unit)}` : '');
+
 function showReport(figures) {
   $('report').tBodies[0].replaceChildren(...figures.map((f) => {
     const row = element('tr', {}), by = Number.isFinite(f.value) && Number.isFinite(f.start) ? f.value - f.start : NaN;
     const share = Math.abs(f.start) > 0 ? 100 * by / Math.abs(f.start) : NaN;
     row.append(element('th', {scope: 'row', title: f.doc}, words(f.name)));
-    for (const text of [withUnit(f.value ?? NaN, f.unit), f.error === null ? '' : `± ${formatNumber(f.error, 2)} ${unitText(f.unit)}`, withUnit(f.start ?? NaN, f.unit),
+    for (const text of [withUnit(f.value ?? NaN, f.unit), errorText(f.error, f.unit), errorText(f.mesh_error, f.unit), withUnit(f.start ?? NaN, f.unit),
       by ? withUnit(by, f.unit) : '', by && Number.isFinite(share) ? formatNumber(share, 3) : '']) row.append(element('td', {class: 'number'}, text));
     return row;
   }));
+}
+
+/** Figures with the errors of the mesh that belong to them. */
+function withErrors(figures, found) {
+  const errors = new Map(found.map((f) => [f.name, f.mesh_error]));
+  return figures.map((f) => ({...f, mesh_error: errors.get(f.name)}));
 }
 
 /** Messages as a list; those with a cure that is a change get a button that makes it. */

@@ -68,7 +68,8 @@ const std::map<std::string, Session::Request>& Session::requests() {
 
 Json Session::answer(const std::string& name, const Json& body) {
   if (!body.is_object()) throw WrongRequest("the body is not a JSON object");
-  constexpr std::array kOfSolver = {"jvp", "picture", "plan", "influences", "sweep", "reach", "range"};
+  constexpr std::array kOfSolver = {"jvp",        "picture", "plan",  "export", "errors",
+                                    "influences", "sweep",   "reach", "range"};
   if (std::ranges::find(kOfSolver, name) != kOfSolver.end()) return from_solver(name, body);
   const auto at = requests().find(name);
   if (at == requests().end()) throw WrongRequest("there is no request \"" + name + "\"");

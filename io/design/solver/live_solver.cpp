@@ -21,7 +21,15 @@ SweepQuestion sweep_in(const Json& body) {
 }
 
 ReachQuestion reach_in(const Json& body) {
-  return {text_in(body, "figure"), number_in(body, "target"), text_in(body, "path")};
+  ReachQuestion question{text_in(body, "figure"), number_in(body, "target"), {}};
+  const auto paths = body.find("paths");
+  if (paths == body.end() || !paths->is_array() || paths->empty())
+    throw WrongRequest("\"paths\" is missing or not an array of names of numbers");
+  for (const Json& path : *paths) {
+    if (!path.is_string()) throw WrongRequest("\"paths\" has something other than names of numbers");
+    question.paths.push_back(path);
+  }
+  return question;
 }
 
 RangeQuestion range_in(const Json& body) {
@@ -46,6 +54,11 @@ Json LiveSolver::answer(const std::string& name, const Json& body, const std::at
   if (name == "plan") return {{"svg", scene_.plan_drawing()}};
   if (name == "picture") return picture_json(scene_);
   if (name == "report") return report_json(scene_);
+  if (name == "export") return export_json(scene_, text_in(body, "as"));
+  if (name == "errors") {
+    const results::Result result = scene_.with_mesh_errors(interrupt);
+    return {{"figures", figures_json(result)}, {"note", result.mesh_note}};
+  }
   if (name == "influences") return influences_json(scene_, text_in(body, "figure"), interrupt, on_progress);
   if (name == "sweep") return sweep_json(scene_, sweep_in(body), interrupt, on_progress);
   if (name == "reach") return reach_json(scene_, reach_in(body), interrupt);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/design/solver/questions.hpp"
 
+#include "io/formats/files/whole_file.hpp"
 #include "io/formats/units/units.hpp"
 #include "io/formats/work/interruptible_work.hpp"
+#include "io/pictures/picture/base64.hpp"
+#include "io/pictures/view/page.hpp"
 #include "io/pictures/view/report_html.hpp"
 #include "io/pictures/view/result_json.hpp"
 
@@ -16,7 +19,7 @@ namespace {
 constexpr int kMostPoints = 201;      // of a sweep
 constexpr int kMostSteps = 25;        // towards a target
 constexpr double kOnTarget = 1e-6;    // tolerance over the target, or over the first value if the target is 0
-constexpr double kLongestStep = 0.5;  // largest change of the number in one step, as a fraction of the number
+constexpr double kLongestStep = 0.5;  // largest change of all numbers in one step, as a fraction of them
 constexpr double kStepOfLimit = 0.05;  // first step of a search for a limit, as a fraction of the number
 constexpr int kMostStepsOfLimit = 40;  // limits beyond three times the number are not searched
 constexpr int kHalvings = 6;           // how often a step without an equilibrium is halved
@@ -59,7 +62,7 @@ void sweep_side(LiveScene& scene, const studies::SceneNumber& number, const std:
   for (const std::size_t i : indices) {
     const Equilibrium& from = before ? *before : need_last(scene);
     std::string why_not;
-    auto next = scene.neighbour(from, number, values[i], interrupt, why_not);
+    auto next = scene.neighbour(from, number.to(values[i]), interrupt, why_not);
     on_point(i, next.get());
     if (next) before = std::move(next);
   }
@@ -74,10 +77,19 @@ Json picture_json(const LiveScene& scene) {
 
 Json report_json(const LiveScene& scene) {
   const Equilibrium& now = need_last(scene);
-  return {{"figures", figures_json(now)},
+  return {{"figures", figures_json(now.result)},
           {"summary", pictures::summary_html(now.result)},
           {"materials", pictures::materials_html(now.result)},
           {"deck", pictures::deck_html(now.result)}};
+}
+
+Json export_json(const LiveScene& scene, const std::string& kind) {
+  if (kind != "hdf" && kind != "html") throw WrongRequest("\"as\" has to be \"hdf\" or \"html\"");
+  const results::StoredShape shape = scene.shape();
+  const std::string bytes =
+      kind == "hdf" ? formats::read_whole(shape.result.path).value_or("") : pictures::view_page({&shape}, 1);
+  return {{"name", std::filesystem::path(shape.result.path).stem().string() + "." + kind},
+          {"base64", pictures::base64(pictures::bytes_of(bytes))}};
 }
 
 Json influences_json(LiveScene& scene, const std::string& figure, const std::atomic<bool>& interrupt,
@@ -127,33 +139,34 @@ Json sweep_json(LiveScene& scene, const SweepQuestion& question, const std::atom
 
 namespace {
 
-/// The search for the value of a number at which a figure has its target.
+/// The search for values of numbers at which a figure has its target. The values lie on a line through the
+/// present ones: value + t · share · scale, with the size of the value as its scale.
 class TargetSearch {
  public:
   TargetSearch(LiveScene& scene, const ReachQuestion& question, const std::atomic<bool>& interrupt)
       : scene_(scene),
         question_(question),
         interrupt_(interrupt),
-        number_(scene.number(question.path)),
         at_(&need_last(scene)),
-        value_(number_.value),
         figure_(value_of(*at_, question.figure)),
-        scale_(std::abs(question.target) > 0 ? std::abs(question.target) : std::abs(figure_)) {}
+        scale_(std::abs(question.target) > 0 ? std::abs(question.target) : std::abs(figure_)) {
+    for (const std::string& path : question.paths) numbers_.push_back(scene.number(path));
+  }
 
   Json find() {
-    double slope = slope_by_tangent();
+    double slope = choose_line();
     for (int step = 0; step < kMostSteps && !is_there(); ++step) {
-      const double before = value_, then = figure_;
+      const double before = t_, then = figure_;
       if (!(std::abs(slope) > 0) || !go(limited((question_.target - figure_) / slope)))
         throw Refused(nearest_so_far());
-      if (figure_ != then) slope = (figure_ - then) / (value_ - before);
+      if (figure_ != then) slope = (figure_ - then) / (t_ - before);
     }
     if (!is_there()) throw Refused(nearest_so_far());
-    return {{"path", number_.path},
-            {"value", value_},
-            {"unit", number_.unit},
-            {"figure", question_.figure},
-            {"reached", figure_}};
+    Json json = {{"numbers", Json::array()}, {"figure", question_.figure}, {"reached", figure_}};
+    for (std::size_t n = 0; n < numbers_.size(); ++n)
+      json["numbers"].push_back(
+          {{"path", numbers_[n].path}, {"value", value(n, t_)}, {"unit", numbers_[n].unit}});
+    return json;
   }
 
  private:
@@ -164,25 +177,42 @@ class TargetSearch {
     return std::abs(figure_ - question_.target) <= std::fmax(kOnTarget * scale_, error);
   }
 
-  double slope_by_tangent() {
-    const Tangents& tangents = scene_.tangents(number_.path);
-    if (!tangents.effect.why_not.empty()) throw Refused(number_.path + ": " + tangents.effect.why_not);
-    return tangents.effect.per_unit[figure_called(*at_, question_.figure)];
+  static double size_of(const studies::SceneNumber& number) {
+    return number.value != 0 ? std::abs(number.value) : 1;
+  }
+  double value(std::size_t n, double t) const {
+    return numbers_[n].value + t * shares_[n] * size_of(numbers_[n]);
   }
 
-  double limited(double step) const {
-    const double most = kLongestStep * (value_ != 0 ? std::abs(value_) : 1);
-    return std::clamp(step, -most, most);
+  /// Chooses the line along which the figure changes most, and returns its slope there.
+  double choose_line() {
+    const std::size_t figure = figure_called(*at_, question_.figure);
+    double square = 0;
+    for (const studies::SceneNumber& number : numbers_) {
+      const Tangents& tangents = scene_.tangents(number.path);
+      if (!tangents.effect.why_not.empty()) throw Refused(number.path + ": " + tangents.effect.why_not);
+      shares_.push_back(tangents.effect.per_unit[figure] * size_of(number));
+      square += shares_.back() * shares_.back();
+    }
+    const double length = std::sqrt(square);
+    if (length > 0)
+      for (double& share : shares_) share /= length;
+    return length;
   }
 
-  /// Changes the number by `step`, or by less if there is no equilibrium at that distance.
+  static double limited(double step) { return std::clamp(step, -kLongestStep, kLongestStep); }
+
+  /// Goes a step along the line, or less if there is no equilibrium at that distance.
   bool go(double step) {
     for (int halving = 0; halving < kHalvings; ++halving, step /= 2) {
-      auto next = scene_.neighbour(*at_, number_, value_ + step, interrupt_, why_not_);
+      std::vector<formats::Change> changes;
+      for (std::size_t n = 0; n < numbers_.size(); ++n)
+        formats::append(changes, numbers_[n].to(value(n, t_ + step)));
+      auto next = scene_.neighbour(*at_, changes, interrupt_, why_not_);
       if (!next) continue;
       kept_ = std::move(next);
       at_ = kept_.get();
-      value_ += step;
+      t_ += step;
       figure_ = value_of(*at_, question_.figure);
       return std::isfinite(figure_);
     }
@@ -190,19 +220,25 @@ class TargetSearch {
   }
 
   std::string nearest_so_far() const {
-    return question_.figure + " does not reach " + formats::format(question_.target) + " with " +
-           number_.path + " alone; it is " + formats::format(figure_) + " at " + formats::format(value_) +
-           (number_.unit.empty() ? "" : " " + number_.unit) +
+    std::string names, values;
+    for (std::size_t n = 0; n < numbers_.size(); ++n) {
+      const std::string& unit = numbers_[n].unit;
+      names += (n ? ", " : "") + numbers_[n].path;
+      values += (n ? ", " : "") + formats::format(value(n, t_)) + (unit.empty() ? "" : " " + unit);
+    }
+    return question_.figure + " does not reach " + formats::format(question_.target) + " with " + names +
+           " alone; it is " + formats::format(figure_) + " at " + values +
            (why_not_.empty() ? "" : "; beyond, " + why_not_);
   }
 
   LiveScene& scene_;
   const ReachQuestion& question_;
   const std::atomic<bool>& interrupt_;
-  studies::SceneNumber number_;
+  std::vector<studies::SceneNumber> numbers_;
+  std::vector<double> shares_;
   const Equilibrium* at_;
   std::unique_ptr<Equilibrium> kept_;
-  double value_, figure_, scale_;
+  double t_ = 0, figure_, scale_;
   std::string why_not_;  // why the last attempted step has no equilibrium
 };
 
@@ -231,7 +267,7 @@ class LimitSearch {
     int halvings = 0;
     for (int steps = 0; steps < kMostStepsOfLimit && halvings <= kHalvings; ++steps) {
       std::string why_not;
-      auto next = scene_.neighbour(*at, number_, value + step, interrupt_, why_not);
+      auto next = scene_.neighbour(*at, number_.to(value + step), interrupt_, why_not);
       if (next) why_not = fault_of(*next);
       if (!why_not.empty()) {
         why = why_not;

@@ -14,6 +14,10 @@ Json picture_json(const LiveScene& scene);
 /// Figures, and the tables of the report as HTML.
 Json report_json(const LiveScene& scene);
 
+/// The last equilibrium as a file for others: `kind` is "hdf", the result, or "html", a page with its report
+/// and picture. Throws Refused.
+Json export_json(const LiveScene& scene, const std::string& kind);
+
 /// The numbers on which a figure depends, sorted by the effect of a change by one percent, and the numbers
 /// without derivatives, with the reasons. Throws formats::Interrupted.
 Json influences_json(LiveScene& scene, const std::string& figure, const std::atomic<bool>& interrupt,
@@ -32,12 +36,13 @@ Json sweep_json(LiveScene& scene, const SweepQuestion& question, const std::atom
 
 struct ReachQuestion {
   std::string figure;
-  double target = 0;  // in the unit of the figure
-  std::string path;   // number that may change
+  double target = 0;               // in the unit of the figure
+  std::vector<std::string> paths;  // numbers that may change
 };
-/// The value of the number at which the figure reaches its target. The first step uses the tangent, later
-/// steps the secant of the last two equilibria. If there is no such value, throws Refused with the nearest
-/// value found. Also throws formats::Interrupted.
+/// Values of the numbers at which the figure reaches its target, with relative changes in proportion to their
+/// effects, which are the smallest that lead there to first order. The first step uses the tangents, later
+/// steps the secant of the last two equilibria. If there are no such values, throws Refused with the nearest
+/// ones found. Also throws formats::Interrupted.
 Json reach_json(LiveScene& scene, const ReachQuestion& question, const std::atomic<bool>& interrupt);
 
 struct RangeQuestion {

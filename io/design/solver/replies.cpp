@@ -102,9 +102,9 @@ Json numbers_json(const formats::Document& document,
   return all;
 }
 
-Json figures_json(const Equilibrium& now) {
-  const auto keys = studies::chosen_figures(now.result, {});
-  const auto figures = studies::all_figures(now.result);
+Json figures_json(const results::Result& result) {
+  const auto keys = studies::chosen_figures(result, {});
+  const auto figures = studies::all_figures(result);
   Json all = Json::array();
   for (std::size_t f = 0; f < figures.size(); ++f) {
     const results::NamedScalar& one = figures[f];
@@ -113,6 +113,7 @@ Json figures_json(const Equilibrium& now) {
                    {"doc", one.doc},
                    {"value", number_or_null(one.value)},
                    {"error", number_or_null(one.solver_error)},
+                   {"mesh_error", number_or_null(one.mesh_error)},
                    {"key", std::ranges::find(keys, f) != keys.end()}});
   }
   return all;
@@ -138,7 +139,7 @@ Json outcome_json(const Outcome& outcome, const LiveScene& scene) {
   Json json = verdict_json(outcome);
   if (outcome.status != Outcome::Status::converged) return json;
   json["points"] = pictures::packed(scene.last()->points);
-  json["figures"] = figures_json(*scene.last());
+  json["figures"] = figures_json(scene.last()->result);
   return json;
 }
 

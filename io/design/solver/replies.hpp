@@ -17,8 +17,8 @@ Json edit_json(const Edit& edit, const formats::StoredTexts& texts);
 Json numbers_json(const formats::Document& document,
                   const std::map<std::string, formats::NumberWords>& words);
 
-/// All figures of an equilibrium with their errors. Unknown numbers are null.
-Json figures_json(const Equilibrium& now);
+/// All figures of a result with their errors. Unknown numbers are null.
+Json figures_json(const results::Result& result);
 
 // The words of a number as JSON, and back.
 Json words_json(const formats::NumberWords& words);

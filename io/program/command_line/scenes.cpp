@@ -37,8 +37,8 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
                "print the numbers of the scene that each key figure depends on most, by their derivatives");
 }
 
-void add_design_command(CLI::App& app, Chosen& chosen, const char* name, const char* doc,
-                        int (*run)(const DesignOptions&)) {
+Command<DesignOptions> add_design_command(CLI::App& app, Chosen& chosen, const char* name, const char* doc,
+                                          int (*run)(const DesignOptions&)) {
   auto [design, o] = add_command(app, chosen, name, doc, run);
   design
       .add_option("GEAR_OR_SCENE", o.scene,
@@ -49,6 +49,7 @@ void add_design_command(CLI::App& app, Chosen& chosen, const char* name, const c
       ->check(CLI::Range(1, 65535));
   design.add_flag("--as-solver", o.as_solver)->group("");  // for the process that a design starts itself
   add_opening_options(design, o);
+  return {design, o};
 }
 
 }  // namespace
@@ -59,9 +60,10 @@ void add_scene_commands(CLI::App& app, Chosen& chosen) {
       add_command(app, chosen, "plan",
                   "print which forces and plugins a scene uses, and why others are left out", plan_command);
   add_method_options(plan, o);
-  add_design_command(app, chosen, "design",
-                     "open a gear on a local page that shows its new shape while you change it",
-                     design_command);
+  auto [design, d] = add_design_command(
+      app, chosen, "design", "open a gear on a local page that shows its new shape while you change it",
+      design_command);
+  design.add_flag("--no-browser", d.no_browser, "only print the address, and open no browser");
   add_design_command(app, chosen, "serve",
                      "offer the same to other programs, by requests in JSON, until it is interrupted",
                      serve_command);

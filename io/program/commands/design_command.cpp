@@ -11,8 +11,12 @@
 #include "io/program/session/session.hpp"
 #include "io/program/session/watchdog.hpp"
 
+#include <fcntl.h>
+#include <spawn.h>
+#include <unistd.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
 #include <system_error>
 
 namespace netloft::program {
@@ -59,6 +63,19 @@ std::vector<std::string> solver_command(const DesignOptions& options) {
   });
 }
 
+/// Opens an address as the desktop does, if there is one. The address was printed in any case.
+void open_browser(const std::string& address) {
+  if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY")) return;
+  posix_spawn_file_actions_t streams;
+  posix_spawn_file_actions_init(&streams);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    posix_spawn_file_actions_addopen(&streams, stream, "/dev/null", O_RDWR, 0);
+  const char* const words[] = {"xdg-open", address.c_str(), nullptr};
+  pid_t process = 0;
+  posix_spawnp(&process, words[0], &streams, nullptr, const_cast<char* const*>(words), environ);
+  posix_spawn_file_actions_destroy(&streams);
+}
+
 /// Opens the design and serves it until an interruption or, if it was opened as a page, until the page is
 /// closed.
 int serve(const DesignOptions& options, bool ends_with_page) {
@@ -74,9 +91,11 @@ int serve(const DesignOptions& options, bool ends_with_page) {
   design::Session session(options.scene, library_folder(), call);
   design::DesignServer server(session, options.port);
   print_address(server.address(), options.json);
-  if (ends_with_page)
+  if (ends_with_page) {
     terminal.say(
         "netloft: open this address in a browser; the program ends when the page is closed or by Ctrl-C");
+    if (!options.no_browser && !options.json) open_browser(server.address());
+  }
   server.run(interrupt_flag(), ends_with_page);
   if (!session.is_saved()) terminal.say("netloft: changes that were not saved are lost");
   return kDone;

@@ -44,7 +44,7 @@ COMMANDS = (
     (f"netloft run {ROPE} --set parts.rope.cells=20 --start-from rope.hdf -o again.hdf", "written to again.hdf"),
     (f"cp rope.hdf kept.hdf.part; netloft run {ROPE} --overwrite -o kept.hdf", "written to kept.hdf"),
     (f"netloft plan {ROPE} {SCENE} --strategy auto:restarts=2 --solver newton", '"memory"'),
-    (until_it_serves(f"netloft design {ROPE} --port 7113 --threads 1 --scene-plugins {COMMON}"), "http://127.0.0.1:7113/"),
+    (until_it_serves(f"netloft design {ROPE} --no-browser --port 7113 --threads 1 --scene-plugins {COMMON}"), "http://127.0.0.1:7113/"),
     (until_it_serves(f"netloft serve {ROPE} --port 7114 --threads 1 --scene-plugins {COMMON}"), "http://127.0.0.1:7114/"),
     (f"netloft list {COMMON}", "rope/bar"),
     (f"netloft describe rope/bar {COMMON}", "rope.EA"),

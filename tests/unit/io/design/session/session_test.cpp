@@ -111,13 +111,47 @@ TEST(DesignSession, RefusesRequestsThatSayTooLittle) {
 TEST(DesignSession, FindsTheNumberThatGivesAFigureItsTarget) {
   Trawl trawl;
   const Json found =
-      trawl.ask("reach", {{"figure", "mouth/headline_height"}, {"target", 2.0}, {"path", "tow.speed"}});
-  const Json there = trawl.ask("apply", {{"path", "tow.speed"}, {"to", found["value"]}, {"wait", true}});
+      trawl.ask("reach", {{"figure", "mouth/headline_height"}, {"target", 2.0}, {"paths", {"tow.speed"}}});
+  const Json there =
+      trawl.ask("apply", {{"path", "tow.speed"}, {"to", found["numbers"][0]["value"]}, {"wait", true}});
   for (const Json& figure : there["outcome"]["figures"])
     if (figure["name"] == "mouth/headline_height") EXPECT_NEAR(figure["value"], 2.0, 1e-4);
   EXPECT_THROW(
-      trawl.ask("reach", {{"figure", "mouth/headline_height"}, {"target", 200}, {"path", "tow.speed"}}),
+      trawl.ask("reach", {{"figure", "mouth/headline_height"}, {"target", 200}, {"paths", {"tow.speed"}}}),
       Refused);
+  EXPECT_THROW(trawl.ask("reach", {{"figure", "mouth/headline_height"}, {"target", 2}, {"paths", {1}}}),
+               WrongRequest);
+}
+
+TEST(DesignSession, ReachesATargetWithSeveralNumbersByLessOfEach) {
+  Trawl trawl;
+  const auto reach = [&](const Json& paths) {
+    return trawl.ask("reach",
+                     {{"figure", "mouth/headline_height"}, {"target", 2.0}, {"paths", paths}})["numbers"];
+  };
+  const Json alone = reach({"tow.speed"}), both = reach({"tow.speed", "elements.netting.drag.shielding"});
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_LT(both[0]["value"], alone[0]["value"]);
+  EXPECT_GT(both[0]["value"], 3.0);
+  Json there;
+  for (const Json& number : both)
+    there = trawl.ask("apply", {{"path", number["path"]}, {"to", number["value"]}, {"wait", true}});
+  for (const Json& figure : there["outcome"]["figures"])
+    if (figure["name"] == "mouth/headline_height") EXPECT_NEAR(figure["value"], 2.0, 1e-4);
+}
+
+TEST(DesignSession, GivesFilesForOthersAndErrorsOfTheMesh) {
+  Trawl trawl;
+  const Json result = trawl.ask("export", {{"as", "hdf"}}), page = trawl.ask("export", {{"as", "html"}});
+  EXPECT_TRUE(result["name"].get<std::string>().ends_with(".hdf"));
+  EXPECT_TRUE(result["base64"].get<std::string>().starts_with("iUhERg0KGgo"));  // the signature of HDF5
+  EXPECT_GT(page["base64"].get<std::string>().size(), 100000u);
+  EXPECT_THROW(trawl.ask("export", {{"as", "exe"}}), WrongRequest);
+  trawl.ask("apply", {{"set", "gear.nodes=500"}, {"wait", true}});
+  int known = 0;
+  const Json errors = trawl.ask("errors");
+  for (const Json& figure : errors["figures"]) known += !figure["mesh_error"].is_null();
+  EXPECT_GT(known, 10) << errors["note"];
 }
 
 TEST(DesignSession, SweepsANumberOnBothSides) {
