@@ -87,6 +87,7 @@ EXPLAINED = {  # names of constants, fragments of lines
         "rhs_ *= 2": "Cayley transform",
         "Vector z(2": "positions and velocities",
         "0.5 * (A[": "symmetric part",
+        **dict.fromkeys(("2 * rows)", "are_three ?"), "three columns of a node"),
         "kMatricesOfMotion": "matrices of one linearisation",
         "2 * u[i] - step.u": "extrapolation",
         "side < 2": "a line has two",
