@@ -25,7 +25,7 @@ SCENE = "--set parts.rope.cells=20 --threads 1 --scene-plugins " + COMMON
 
 def until_it_serves(command):
     """The command with its output, stopped as by Ctrl-C as soon as it has printed its address."""
-    return f"{command} > served & while kill -0 $! && ! grep -q http served; do sleep 0.05; done; kill -INT $!; wait $!; ended=$?; cat served; (exit $ended)"
+    return f"rm -f served; touch served; {command} > served & while kill -0 $! && ! grep -q http served; do sleep 0.05; done; kill -INT $!; wait $!; ended=$?; cat served; (exit $ended)"
 
 
 # Each command, and words of its output or the file that it writes. The order matters, because commands read
