@@ -44,8 +44,12 @@ async function set(page, text) {
 test('five floats more', async () => {
   await timed('five floats more', scene('83-112-flume-3.0kn'), async (page) => {
     const height = await figure(page, 'mouth/headline_height');
-    await page.fill('#filter', 'headline');
-    await shown(page, await set(page, 'floats.headline.spread=52 along headrope'));
+    const then = await revision(page);
+    await page.selectOption('#add-float', '83-112-headline');
+    await page.selectOption('#add-rope', 'headrope');
+    await page.click('#add-form button');
+    await shown(page, then);
+    assert.match(await page.inputValue('#text'), /\[floats\.added-1\]|added-1 *= *\{/);
     assert.ok(await figure(page, 'mouth/headline_height') > height, 'the headline rises');
     assert.match(await page.textContent('#keys'), /\+/);
   });

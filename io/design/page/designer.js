@@ -41,12 +41,30 @@ class Designer {
     press('stop', async () => { $('stop').hidden = true; await this.server.ask('stop'); });
     press('dismiss', async () => { $('notice').hidden = true; });
     $('set-form').addEventListener('submit', (event) => { event.preventDefault(); this.apply({set: $('set').value}); });
+    $('add-form').addEventListener('submit', (event) => { event.preventDefault(); this.addFloats(Number($('add-count').value), $('add-float').value, $('add-rope').value); });
     document.addEventListener('keydown', (event) => {
       const isUndo = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === 'z';
       if (!isUndo || /^(TEXTAREA|INPUT)$/.test(document.activeElement.tagName) && document.activeElement.type !== 'range') return;
       event.preventDefault();
       $(event.shiftKey ? 'redo' : 'undo').click();
     });
+  }
+
+  /** The floats of the catalogue, and the ropes of the gear. */
+  async fillAdding() {
+    const {names} = await this.server.ask('catalogue', {kind: 'float'});
+    const ropes = [...new Set(this.list.map((n) => /^ropes\.([^.]+)\./.exec(n.path)).filter(Boolean).map((found) => found[1]))];
+    const fill = (select, values) => { const {value} = select; select.replaceChildren(...values.map((v) => element('option', {value: v}, v))); if (values.includes(value)) select.value = value; };
+    fill($('add-float'), names);
+    fill($('add-rope'), ropes);
+    $('add-form').hidden = !names.length || !ropes.length;
+  }
+
+  /** Adds a row of floats under a name that no file has yet. */
+  addFloats(count, float, rope) {
+    let name = 1;
+    while (this.text.files.some((f) => f.text.includes(`added-${name}`))) ++name;
+    return this.apply({set: `floats.added-${name}={float="${float}",spread="${count} along ${rope}"}`});
   }
 
   /** Gives a file to the browser, which writes it where it writes downloads. */
@@ -115,7 +133,9 @@ class Designer {
     $('saved').textContent = state.saved ? 'saved' : 'not saved';
     this.numbers.show(state.numbers);
     this.text.show(state.files, state.file);
-    this.text.mark(state.messages);
+    // The outcome of this text may have arrived before the answer to its change.
+    const isKnown = this.failure && this.failure.revision >= state.revision;
+    this.text.mark(isKnown ? this.failure.messages : state.messages);
     if (this.shape.figures.length) this.questions.show(this.shape.figures, state.numbers);
     this.list = state.numbers;
   }
@@ -176,6 +196,9 @@ class Designer {
     const error = outcome.messages.find((m) => m.severity === 'error');
     this.warn(error ? `${error.message}${error.hint ? `; ${error.hint}` : ''}` : `${outcome.status}: ${outcome.sentence}${outcome.at_fault ? ` (at ${outcome.at_fault})` : ''}. The last shape is kept, in grey.`);
     showMessages($('checks'), outcome.messages, (set) => this.apply({set}));
+    this.say(outcome.status);
+    this.failure = outcome;
+    this.text.mark(outcome.messages);
     document.documentElement.dataset.revision = String(outcome.revision);
   }
 
@@ -195,6 +218,7 @@ class Designer {
     this.showMaterials(await this.server.ask('report'));
     this.list = (await this.server.ask('state')).numbers;
     this.numbers.show(this.list);
+    await this.fillAdding();
     document.documentElement.dataset.ready = 'yes';
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The texts of the files of the design, with their errors marked.
 
-const REST_OF_KEYS = 40;  // milliseconds between a key press and the check of the text; further key presses
+const REST_OF_KEYS = 10;  // milliseconds between a key press and the check of the text; further key presses
                           // restart it
 
 class TextPane {
@@ -9,7 +9,7 @@ class TextPane {
   constructor(server, onEdit) {
     Object.assign(this, {server, onEdit, files: [], messages: []});
     $('text').addEventListener('input', () => this.changed());
-    $('text').addEventListener('scroll', () => { $('lines').scrollTop = $('text').scrollTop; });
+    $('text').addEventListener('scroll', () => this.scroll());
     $('file').addEventListener('change', () => this.showFile());
     for (const [one, other] of [['plan', 'text'], ['text', 'plan']]) {
       $(`tab-${one}`).addEventListener('click', () => this.choose(one, other));
@@ -48,7 +48,30 @@ class TextPane {
     const count = $('text').value.split('\n').length, lines = [];
     for (let i = 1; i <= count; ++i) lines.push(element('span', wrong.has(i) ? {class: 'wrong'} : {}, `${wrong.has(i) ? '✕ ' : ''}${i}\n`));
     $('lines').replaceChildren(...lines);
-    $('lines').scrollTop = $('text').scrollTop;
+    this.underline();
+    this.scroll();
+  }
+
+  scroll() {
+    $('lines').scrollTop = $('marks').scrollTop = $('text').scrollTop;
+    $('marks').scrollLeft = $('text').scrollLeft;
+  }
+
+  /** Underlines what the messages about this file are about, on a sheet that lies under the text. */
+  underline() {
+    const here = this.messages.filter((m) => m.file === $('file').value && m.line > 0).sort((a, b) => a.line - b.line || a.column - b.column);
+    const lines = $('text').value.split('\n'), parts = [];
+    for (const [i, line] of lines.entries()) {
+      const letters = Array.from(line);  // columns count characters
+      let at = 0;
+      for (const m of here.filter((one) => one.line === i + 1)) {
+        const begin = Math.min(Math.max(at, m.column - 1), Math.max(at, letters.length - 1)), end = Math.min(letters.length, begin + Math.max(1, m.length));
+        parts.push(letters.slice(at, begin).join(''), element('span', {class: m.severity === 'error' ? 'fault' : 'doubt', title: m.message}, letters.slice(begin, end).join('') || ' '));
+        at = end;
+      }
+      parts.push(letters.slice(at).join('') + '\n');
+    }
+    $('marks').replaceChildren(...parts);
   }
 
   mark(messages) {

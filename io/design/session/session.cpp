@@ -6,6 +6,8 @@
 #include "io/formats/files/whole_file.hpp"
 #include "io/formats/units/units.hpp"
 #include "io/formats/work/long_work.hpp"
+#include "io/gears/catalogue/catalogue.hpp"
+#include "io/gears/catalogue/folders.hpp"
 
 #include <algorithm>
 #include <array>
@@ -58,11 +60,13 @@ bool Session::is_saved() const {
 }
 
 const std::map<std::string, Session::Request>& Session::requests() {
-  static const std::map<std::string, Request> all{{"state", &Session::state}, {"apply", &Session::apply},
-                                                  {"undo", &Session::undo},   {"redo", &Session::redo},
-                                                  {"save", &Session::save},   {"check", &Session::check},
-                                                  {"solve", &Session::solve}, {"run", &Session::run},
-                                                  {"stop", &Session::stop},   {"report", &Session::report}};
+  static const std::map<std::string, Request> all{
+      {"state", &Session::state},        {"apply", &Session::apply},
+      {"undo", &Session::undo},          {"redo", &Session::redo},
+      {"save", &Session::save},          {"check", &Session::check},
+      {"solve", &Session::solve},        {"run", &Session::run},
+      {"stop", &Session::stop},          {"report", &Session::report},
+      {"catalogue", &Session::catalogue}};
   return all;
 }
 
@@ -177,6 +181,22 @@ Json Session::check(const Json& body) {
   formats::Diagnostics said;
   formats::Document::load_edited(file, texts, said);
   return {{"messages", messages_json(said)}};
+}
+
+/// The parts of a kind in the catalogues that the scene can name.
+Json Session::catalogue(const Json& body) {
+  const std::string kind = text_in(body, "kind");
+  formats::Diagnostics unheard;
+  const auto folders = [&] {
+    const std::lock_guard lock(mutex_);
+    const std::filesystem::path folder = texts_.file().parent_path();
+    return gears::named_folders(texts_.document(unheard).root(), folder.empty() ? "." : folder, unheard);
+  }();
+  Json names = Json::array();
+  for (const gears::CataloguePart& part :
+       gears::Catalogue::load(gears::catalogue_folders(unheard, folders), unheard).parts())
+    if (part.kind->name == kind) names.push_back(part.name);
+  return {{"names", names}};
 }
 
 /// Announces that the text has changed, and cancels the search for an older text. The caller must hold the

@@ -55,6 +55,7 @@ class Session {
   Json redo(const Json& body);
   Json save(const Json& body);
   Json check(const Json& body);
+  Json catalogue(const Json& body);
   // requests about the equilibrium, which the worker answers
   Json solve(const Json& body);
   Json run(const Json& body);
