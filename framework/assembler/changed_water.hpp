@@ -9,11 +9,16 @@ bool is_in_changed_water(const FamilyPlan& family, const TermPlan& term);
 
 /// The drag of the elements of a family in water that a flow (ext/flow.h) changes. With the residual r(x, v,
 /// c) of an element, the undisturbed velocity U of the water, and the unknowns a and weights g of the flow:
-///   c = w(U, a)                                              velocity of the water at a corner    (1)
+///   c = w(U, a, n)                                           velocity of the water at a corner    (1)
 ///   R_k += Σ g_k(U) · r                                      part of equation k of the flow       (2)
 ///   ∂r/∂c = −∂r/∂v                         drag depends on the relative velocity c − v only       (3)
 ///   ∂r/∂a_k = −∂r/∂v ∂w/∂a_k                                                                      (4)
 ///   ∂R_k/∂x = Σ (g_k · ∂r/∂x + r · ∂g_k/∂U ∂U/∂x),   ∂R_k/∂a_l = Σ g_k · ∂r/∂a_l                  (5)
+///   n = N/D,  N = (x₁ − x₀) × (x₂ − x₀),  D² = N·N + (ε E)²     normal of a triangle              (6)
+///   ∂r/∂x_q += −∂r/∂v ∂w/∂n ∂n/∂x_q                                                               (7)
+///   v·dn = Σ_q ((h × e_q) − 2 (v·N) ε² E/D³ (e_{q+1} − e_{q+2}))·dx_q,  h = v/D − (v·N) N/D³      (8)
+/// e_q is the edge opposite to corner q and E the sum of the squares of the edges; with ε = 0.003, n is
+/// shorter than 1 by less than 1e-4 unless the triangle is nearly folded to a line. Bars have n = 0.
 /// The sums are over the corners of the element. Equation k does not depend on the velocities of the nodes,
 /// because the water behind a gear does not follow short motions.
 class ChangedWater {
@@ -33,9 +38,12 @@ class ChangedWater {
   int output(netloft_tile& tile, double* values) const;
 
  private:
+  struct Normals;
   struct Places;
   struct Tangents;
+  bool is_netting() const;
   int find_places(const netloft_tile& tile, Places& places) const;
+  void turn_with_netting(const netloft_tile& tile, const Places& places, Tangents& tangents) const;
   void add_forces(const netloft_tile& tile, const Places& places, const double* force) const;
   void add_tangents(const netloft_tile& tile, const Places& places, const Tangents& tangents) const;
   void add_equations(const netloft_tile& tile, const Places& places, const Tangents& tangents,

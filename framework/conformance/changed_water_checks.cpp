@@ -21,8 +21,16 @@ struct WaterOfFlow {
     for (std::size_t k = 0; k < unknown_count; ++k)
       std::copy_n(&s.x[at(last + k, 0)], kLanes, &unknowns[at(k, 0)]);
     std::copy_n(s.current.begin(), 3 * kLanes, current);
-    for (std::size_t lane = 0; lane < kLanes; ++lane)
-      reach[lane] = static_cast<double>(lane + 1) / static_cast<double>(kLanes);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) put_normal(lane);
+  }
+  /// Sets the reach and the normal of a place. The last place is on a rope, which has no normal.
+  void put_normal(std::size_t lane) {
+    const double share = static_cast<double>(lane + 1) / static_cast<double>(kLanes);
+    reach[lane] = share;
+    if (lane + 1 == kLanes) return;
+    normal[at(0, lane)] = std::cos(7 * share) * std::sin(3 * share);
+    normal[at(1, lane)] = std::sin(7 * share) * std::sin(3 * share);
+    normal[at(2, lane)] = std::cos(3 * share);
   }
   bool ask(const Bench& b) {
     netloft_flow_tile t{};
@@ -36,12 +44,14 @@ struct WaterOfFlow {
     t.d_unknown = d_unknown;
     t.weight = weight;
     t.d_weight = d_weight;
+    t.normal = normal;
+    t.d_normal = d_normal;
     return b.specimen->find_water(t) == NETLOFT_OK;
   }
   std::size_t unknown_count;
-  double unknowns[3 * kLanes] = {}, current[3 * kLanes] = {}, reach[kLanes] = {};
+  double unknowns[3 * kLanes] = {}, current[3 * kLanes] = {}, normal[3 * kLanes] = {}, reach[kLanes] = {};
   double velocity[3 * kLanes] = {}, d_current[9 * kLanes] = {}, d_unknown[9 * kLanes] = {},
-                      weight[9 * kLanes] = {}, d_weight[27 * kLanes] = {};
+                      weight[9 * kLanes] = {}, d_weight[27 * kLanes] = {}, d_normal[9 * kLanes] = {};
 };
 
 /// Rotates rows of vectors about z.
@@ -105,6 +115,8 @@ Finding water_has_its_derivatives(Bench& b) {
       for (std::size_t k = 0; k < water.unknown_count; ++k)
         compare(&after.weight[at(3 * k, 0)], &before.weight[at(3 * k, 0)], &water.d_weight[at(9 * k + c, 0)],
                 3);
+      compare(stepped(b, water, &WaterOfFlow::normal, c, kWaterStep).velocity,
+              stepped(b, water, &WaterOfFlow::normal, c, -kWaterStep).velocity, &water.d_normal[at(c, 0)], 3);
     }
     for (std::size_t k = 0; k < water.unknown_count; ++k)
       compare(stepped(b, water, &WaterOfFlow::unknowns, k, kWaterStep).velocity,
@@ -117,6 +129,8 @@ Finding water_turns_with_the_current(Bench& b) {
   return visit_water(b, kRoundingOfTurn, [&](const WaterOfFlow& water, Worst& worst) {
     WaterOfFlow turned = water, expected = water;
     turn_rows(turned.current);
+    turn_rows(turned.normal);
+    for (double& component : turned.normal) component = -component;  // the sign of a normal has no meaning
     turned.ask(b);
     turn_rows(expected.velocity);
     for (std::size_t k = 0; k < water.unknown_count; ++k) turn_rows(&expected.weight[at(3 * k, 0)]);

@@ -191,9 +191,8 @@ const std::vector<Check<Bench>>& table() {
       {"water-turns-with-the-current",
        water_turns_with_the_current,
        {"evaluates-without-error"},
-       "no direction of the compass is special: a current that is turned about the vertical changes the "
-       "water "
-       "in the same way, turned"},
+       "no direction of the compass is special, and no side of the netting: a current and a normal that are "
+       "turned about the vertical change the water in the same way, turned, also if the normal is reversed"},
       {"starts-no-threads",
        starts_no_threads,
        {},

@@ -10,22 +10,26 @@ namespace netloft::flows {
 /// Water that a bag of netting slows, by the balance of momentum of an actuator disc that spans its mouth.
 /// The elements are the bars along the rim of the mouth, in the order of a closed curve that runs
 /// counter-clockwise if the water flows towards the viewer. All bars share the induction factor a:
-///   w = U (1 − s a)                             velocity of the water in reach of the bag          (1)
+///   w = U − s a U + s a (κ n − c² U)/(1 + c)     velocity of the water at the netting               (1)
+///   κ = U·n,  c = |κ|/‖U‖ = cos θ
 ///   Σ C_T(a) ½ ρ V² (V ΔA) − Σ U·F = 0           thrust of the disc = drag of the net, times V       (2)
 ///   C_T = 4a (1 − a)  if a ≤ 0.4,  else 8/9 − 4a/9 + 14a²/9                                        (3)
 ///   V ΔA = ½ (η₀ + η₁)(z₁ − z₀),  η = U_x y − U_y x   share of a bar in the area of the mouth, times V  (4)
 /// U [m/s] is the undisturbed velocity, V that at the bar, s the reach of the bag (1 behind the mouth, 0 in
-/// free water), F [N] the drag of the net at a corner, which the host computes with w. In a uniform current,
-/// (2) divided by V is the balance of thrust and drag along the current; with the factor V, it is regular in
-/// still water. By Green's theorem, the sum of V³ ΔA over the rim is the integral of V³ over the mouth, also
-/// if the current changes with depth. In half a gear, the rim ends in the plane of symmetry y = 0, which adds
-/// nothing to the area; both sides of (2) are then halves. The wings and ropes ahead of the mouth are in
-/// undisturbed water, but (2) includes their drag, too. Sources: for (1), (2), and (3) up to a = 0.4, H.
-/// Glauert, Airplane propellers, in: W. F. Durand (ed.), Aerodynamic Theory IV, 1935; for (3) beyond a = 0.4,
-/// the empirical branch of M. L. Buhl, A new empirical relationship between thrust coefficient and induction
-/// factor for the turbulent windmill state, NREL/TP-500-36834, 2005, without tip losses. Both have the same
-/// value and slope at a = 0.4. Range: steady towing. A bag that is long compared with its mouth slows the
-/// water less than (1) at its front and more at its aft end.
+/// free water), n the normal of the netting (0 on ropes), F [N] the drag of the net at a corner, which the
+/// host computes with w. In (1) the water loses the fraction a along the current, and is turned aside across
+/// it such that it passes the netting with κ (1 − a c): it leaves a long bag as fast as it enters. In a
+/// uniform current, (2) divided by V is the balance of thrust and drag along the current; with the factor V,
+/// it is regular in still water. By Green's theorem, the sum of V³ ΔA over the rim is the integral of V³ over
+/// the mouth, also if the current changes with depth. In half a gear, the rim ends in the plane of symmetry y
+/// = 0, which adds nothing to the area; both sides of (2) are then halves. The wings and ropes ahead of the
+/// mouth are in undisturbed water, but (2) includes their drag, too. Sources: for (1), (2), and (3) up to a =
+/// 0.4, H. Glauert, Airplane propellers, in: W. F. Durand (ed.), Aerodynamic Theory IV, 1935; for (3) beyond
+/// a = 0.4, the empirical branch of M. L. Buhl, A new empirical relationship between thrust coefficient and
+/// induction factor for the turbulent windmill state, NREL/TP-500-36834, 2005, without tip losses. Both have
+/// the same value and slope at a = 0.4. For the second part of (1), the speed 1 − a c of the water inside
+/// cones of the angle c = sin of half the cone, by the pressure of their drag (tests/verification/README.md).
+/// Range: steady towing.
 struct Momentum {
   static constexpr auto stencil = NETLOFT_BAR;
   static constexpr int globals = 1;  // shared unknown: a
@@ -33,12 +37,18 @@ struct Momentum {
     double start = 0;  // initial guess of a
   };
   struct Data {};
+  static constexpr double kStill = 1e-12;  // keeps c regular in still water [m/s]
 
   static double start(const Parameters& p, const Family<Momentum>::None&) { return p.start; }
 
   template <class T>
-  static Vec3<T> water(const Parameters&, const Vec3<T>& current, const std::array<T, 1>& a, double reach) {
-    return (1.0 - reach * a[0]) * current;  // (1)
+  static Vec3<T> water(const Parameters&, const Vec3<T>& current, const std::array<T, 1>& a, double reach,
+                       const Vec3<T>& normal) {
+    using std::abs;
+    const T lost = reach * a[0], across = dot(current, normal),
+            c = abs(across) * (1.0 / (norm(current) + kStill));
+    return (1.0 - lost) * current +
+           (lost * (1.0 / (1.0 + c))) * (across * normal - (c * c) * current);  // (1)
   }
   template <class T>
   static Vec3<T> weight(const Parameters&, const Vec3<T>& current, double, int) {

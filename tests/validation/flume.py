@@ -34,8 +34,8 @@ ALLOWED = {"height": 0.08, "height at 2.0": 0.12, "wing end": 0.25, "wing end at
 
 # Lateral position of the towing point at which the upper wing ends are UPPER_SPREAD apart [m], with and
 # without slowed water.
-ACROSS = {"2.0": (28.96, 29.75), "2.5": (28.64, 29.69), "3.0": (28.45, 29.74), "3.5": (28.32, 29.90), "4.0": (28.25, 30.05)}
-ALLOWED_SLOWED = {"height": 0.07, "height at 2.0": 0.12, "wing end": 0.08, "wing end at 2.0": 0.3, "lower spread": 0.06, "tension": 0.05,
+ACROSS = {"2.0": (29.21, 29.75), "2.5": (28.89, 29.69), "3.0": (28.73, 29.74), "3.5": (28.62, 29.90), "4.0": (28.53, 30.05)}
+ALLOWED_SLOWED = {"height": 0.07, "height at 2.0": 0.12, "wing end": 0.08, "wing end at 2.0": 0.3, "lower spread": 0.06, "tension": 0.07,
                   "angle": 1.5, "exponent": (1.51, 1.59)}
 
 

@@ -140,7 +140,7 @@ Mouth mouth_of(const GearView& gear, const Bag& bag) {
   for (const auto node : nodes) middle += (1.0 / static_cast<double>(nodes.size())) * gear.at(node);
   if (gear.is_half()) middle.y = 0;
   const Vector start = middle - bag.ahead * gear.current_at(middle);
-  constexpr int kRings = 6;
+  constexpr int kRings = 3;
   Mouth mouth;
   for (std::size_t n = 0; n + 1 < nodes.size(); n += 2) {
     const Vector a = gear.at(nodes[n]) - middle, b = gear.at(nodes[n + 1]) - middle;

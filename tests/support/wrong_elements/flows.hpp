@@ -40,6 +40,13 @@ struct SlowsTheNorth : RightFlow {
   }
 };
 
+struct TakesSides : RightFlow {  // the velocity depends on the sign of the normal
+  template <class T>
+  static Vec3<T> water(const Vec3<T>& current, const T& a, double reach, const Vec3<T>& normal) {
+    return (1.0 - reach * a) * current + (reach * a) * normal;
+  }
+};
+
 /// The element of a flow on two nodes.
 template <class Flow>
 struct FlowOn {
@@ -48,8 +55,12 @@ struct FlowOn {
   using Parameters = wrong::Parameters;
   using Data = wrong::Data;
   template <class T>
-  static Vec3<T> water(const Parameters&, const Vec3<T>& current, const std::array<T, 1>& a, double reach) {
-    return Flow::water(current, a[0], reach);
+  static Vec3<T> water(const Parameters&, const Vec3<T>& current, const std::array<T, 1>& a, double reach,
+                       const Vec3<T>& normal) {
+    if constexpr (requires { Flow::water(current, a[0], reach, normal); })
+      return Flow::water(current, a[0], reach, normal);
+    else
+      return Flow::water(current, a[0], reach);
   }
   template <class T>
   static Vec3<T> weight(const Parameters&, const Vec3<T>& current, double reach, int) {

@@ -419,6 +419,7 @@ NETLOFT_PLUGIN("wrong", "1", "Elements that are wrong in one place each") {
   add_flow<SlowsEverywhere>(plugin, "slows_everywhere", "water-is-undisturbed-out-of-reach");
   add_flow<SlowsInSteps>(plugin, "slows_in_steps", "water-has-its-derivatives");
   add_flow<SlowsTheNorth>(plugin, "slows_the_north", "water-turns-with-the-current");
+  add_flow<TakesSides>(plugin, "takes_sides", "water-turns-with-the-current");
   add<DragAtRest, reads_current | needs_flow>(plugin, "undeclared_velocity", "reads-the-inputs-it-declares");
   auto& by_law = bar<DragByLaw>(plugin, "drag_by_law", "says-how-much-it-stands-for");
   by_law.law("drag", NETLOFT_TWINE_LAW, "hydro/morison", "force of the water");

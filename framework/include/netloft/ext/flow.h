@@ -19,9 +19,10 @@ extern "C" {
 #define NETLOFT_EXT_FLOW "netloft.flow/1"
 
 /* Up to 64 places in the water. Arrays are [component][64]. The flow does not add but WRITES its outputs, in
- * lanes below `count`. Let U be the undisturbed velocity, a_k the unknowns, s the reach, and w(U, a, s) the
- * velocity that the flow returns. Drag -r_p at place p (r_p is a residual) then adds to the residual of
- * unknown k the sum over all places of weight_kp . r_p. Weights must not depend on the unknowns. */
+ * lanes below `count`. Let U be the undisturbed velocity, a_k the unknowns, s the reach, n the normal, and
+ * w(U, a, s, n) the velocity that the flow returns. Drag -r_p at place p (r_p is a residual) then adds to the
+ * residual of unknown k the sum over all places of weight_kp . r_p. Weights must not depend on the unknowns
+ * or on the normal. If derivatives are not wanted, all pointers d_... are NULL. */
 typedef struct netloft_flow_tile {
   uint32_t size;
   uint32_t count;
@@ -35,6 +36,8 @@ typedef struct netloft_flow_tile {
   double* d_unknown;      /* [unknown][3][64] dvelocity/dunknown */
   double* weight;         /* [unknown][3][64] weights of the residual of the drag in the equations */
   double* d_weight;       /* [unknown][9][64] dweight[r]/dcurrent[c] at 3r+c */
+  const double* normal;   /* [3][64] unit normal of the netting, of either sign; 0 on ropes */
+  double* d_normal;       /* [9][64] dvelocity[r]/dnormal[c] at 3r+c */
 } netloft_flow_tile;
 
 /* An element offers this struct. */

@@ -18,7 +18,7 @@ struct MyFlow {
 
   template <class T>
   static netloft::Vec3<T> water(const Parameters&, const netloft::Vec3<T>& U, const std::array<T, 1>& a,
-                                double reach) {
+                                double reach, const netloft::Vec3<T>& /*normal*/) {
     return (1.0 - reach * a[0]) * U;  // (1)
   }
   template <class T>

@@ -103,6 +103,72 @@ TEST(ChangedWater, HasItsTangentInACurrentThatChangesWithDepth) {
   EXPECT_LT(largest_difference(a.matrix(x, MatrixKind::exact), difference(a, x, 1e-5)), 1e-2);
 }
 
+/// Netting behind the mouth turns the water aside: three triangles at different angles to the current, and
+/// one that is nearly folded to a line.
+Scene netting_in_current() {
+  Sketch s;
+  s.scene.current.samples = {{-10, {1, 0.4, 0}}, {0, {2, 0, 0}}};
+  const auto a = s.node(0, -2, -9), b = s.node(0, 2, -9), c = s.node(0, 2, -7), d = s.node(0, -2, -7);
+  s.part("flow", "flow/momentum", {}, {a, b, b, c, c, d, d, a});
+  const auto e = s.node(1, 0, -9), f = s.node(3, 1, -8), g = s.node(2, 0.5, -8.49);
+  Part& net = s.part("net", "priour/triangle",
+                     {{"twine.EA", 1e3}, {"twine.diameter", 0.002}, {"twine.density", 1000.0}},
+                     {a, b, e, b, c, e, c, f, e, e, f, g});
+  net.laws["drag"] = {"hydro/loland", {}};
+  net.data["u"] = {0, 20, 0, 0, 20, 0, 0, 20, 0, 0, 20, 0};
+  net.data["v"] = {0, 0, 20, 0, 0, 20, 0, 0, 20, 0, 0, 20};
+  net.data["bar_length"].assign(4, 0.1);
+  net.flow = 0;
+  net.reach.assign(4, 1);
+  return s.scene;
+}
+
+TEST(ChangedWater, HasItsTangentWhereNettingTurnsTheWaterAside) {
+  Assembled a(netting_in_current());
+  auto x = a.moved(0.005);
+  x[induction(a)] = 0.25;
+  const auto exact = a.matrix(x, MatrixKind::exact);
+  EXPECT_LT(largest_difference(exact, difference(a, x, 1e-6)), 1e-6 * largest(exact));
+}
+
+/// A triangle of netting whose normal is at 60 degrees to x, in a flow or in free water.
+Scene slanted_netting(std::array<double, 3> current, bool flows) {
+  Sketch s;
+  s.scene.current.samples = {{0, current}};
+  const auto a = s.node(0, -2, -9), b = s.node(0, 2, -9), c = s.node(0, 2, -7), d = s.node(0, -2, -7);
+  s.part("flow", "flow/momentum", {}, {a, b, b, c, c, d, d, a});
+  const double x = 2 * std::sqrt(0.75);
+  Part& net = s.part("net", "priour/triangle",
+                     {{"twine.EA", 1e3}, {"twine.diameter", 0.002}, {"twine.density", 1000.0}},
+                     {s.node(0, 0, -9), s.node(x, 1, -9), s.node(0, 0, -7)});
+  net.laws["drag"] = {"hydro/loland", {}};
+  net.data = {{"u", {0, 20, 0}}, {"v", {0, 0, 20}}, {"bar_length", {0.1}}};
+  if (!flows) return s.scene;
+  net.flow = 0;
+  net.reach = {1};
+  return s.scene;
+}
+
+// The water loses the fraction a along the current, and a cos 60° of what would pass through the netting.
+TEST(ChangedWater, LetsMoreWaterThroughSlantedNetting) {
+  constexpr double kInduced = 0.25, kCosine = 0.5;
+  const double through = kSpeed * kCosine * (1 - kInduced * kCosine), along = kSpeed * (1 - kInduced),
+               aside = (through - along * kCosine) / std::sqrt(0.75);
+  Assembled slowed(slanted_netting({kSpeed, 0, 0}, true)),
+      by_hand(slanted_netting({along, -aside, 0}, false));
+  auto x = slowed.assembler.start();
+  x[induction(slowed)] = kInduced;
+  const auto drag_at = [](Assembled& a, const std::vector<double>& at, std::uint32_t node, int axis) {
+    const auto drag = [](std::uint32_t t) { return (t & NETLOFT_IS_DRAG) != 0; };
+    return a.assembler.reports().sum_terms(at, drag)[a.assembler.numbering().dof(node, axis).at()];
+  };
+  for (std::uint32_t node = 4; node < 7; ++node)
+    for (int axis = 0; axis < 3; ++axis) {
+      const double expected = drag_at(by_hand, by_hand.assembler.start(), node, axis);
+      EXPECT_NEAR(drag_at(slowed, x, node, axis), expected, 1e-3 * std::abs(expected) + 1e-9) << axis;
+    }
+}
+
 TEST(ChangedWater, IsTheSameForAnyNumberOfThreads) {
   Assembled one(bag_in_current()), two(bag_in_current(), 2);
   auto x = one.moved(0.1);
