@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "framework/balance/scales.hpp"
+#include "framework/judging/correction.hpp"
 #include "io/formats/files/whole_file.hpp"
 #include "io/program/commands/run_kinds.hpp"
 #include "io/program/commands/study_shared.hpp"
@@ -11,6 +13,7 @@
 #include "io/results/figures/make_result.hpp"
 #include "io/runs/equilibrium.hpp"
 #include "io/studies/sensitivity/sensitivity.hpp"
+#include "io/studies/sweep/branch.hpp"
 
 #include <fmt/format.h>
 
@@ -31,6 +34,19 @@ int end_without_equilibrium(const SensitivityOptions& o, Terminal& terminal, con
   return solution.status == SolveStatus::interrupted ? kInterrupted : kNotConverged;
 }
 
+/// Says if an equilibrium is elsewhere than at displacements `u`, which a result has: a plugin or the program
+/// is then not that of the result, or --set has changed the scene.
+void say_if_moved(runs::PreparedScene& scene, const std::string& result, const std::vector<double>& u,
+                  const Solution& found, Terminal& terminal) {
+  if (found.status != SolveStatus::converged) return;
+  Assembler& assembler = scene.assembler();
+  std::vector<double> x(assembler.start().begin(), assembler.start().end());
+  assembler.place(u, x);
+  const double moved = largest_node_distance(scene.loaded().scene, assembler.numbering(), found.x, x);
+  if (moved <= studies::BranchOptions{}.noticed * Scales(assembler).gear_size()) return;
+  terminal.say(fmt::format("the equilibrium is up to {:.3g} m from the shape in {}", moved, result));
+}
+
 /// Finds the equilibrium of the scene, near the shape in the file `result` if there is one.
 Solution solve(runs::PreparedScene& scene, const std::string& result, Terminal& terminal,
                Watchdog& watchdog) {
@@ -38,9 +54,11 @@ Solution solve(runs::PreparedScene& scene, const std::string& result, Terminal& 
   const runs::Watch watch{.interrupt = &interrupt_flag(),
                           .on_iteration = [&](const IterationRecord& r) { terminal.progress(r, tolerance); },
                           .on_budget = [&](double seconds) { watchdog.allow(seconds); }};
-  Solution solution = result.empty()
-                          ? runs::find_equilibrium(scene, watch)
-                          : runs::find_equilibrium_near(scene, read_start(result, "SCENE", scene), watch);
+  std::vector<double> u;
+  if (!result.empty()) u = read_start(result, "SCENE", scene);
+  Solution solution =
+      u.empty() ? runs::find_equilibrium(scene, watch) : runs::find_equilibrium_near(scene, u, watch);
+  if (!u.empty()) say_if_moved(scene, result, u, solution, terminal);
   watchdog.allow(std::numeric_limits<double>::infinity());  // the limit of the scene is for its solve
   return solution;
 }

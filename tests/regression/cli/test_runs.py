@@ -169,12 +169,15 @@ class Runs(InFreshFolder):
         self.netloft("run", str(scene), *words, "-o", "a.hdf")
         of_scene = self.netloft("sensitivity", str(scene), *words, "--json").json()
         scene.write_text("nothing = [that is a scene")  # the result contains all that is needed
-        of_result = self.netloft("sensitivity", "a.hdf", "--json").json()
+        ended = self.netloft("sensitivity", "a.hdf", "--json")
+        self.assertEqual(ended.err, "")
+        of_result = ended.json()
         self.assertEqual([n["path"] for n in of_scene["numbers"]], [n["path"] for n in of_result["numbers"]])
         for here, there in zip(of_scene["numbers"], of_result["numbers"]):
             np.testing.assert_allclose(here.get("per_unit", []), there.get("per_unit", []), rtol=1e-6, atol=1e-9)
-        heavier = self.netloft("sensitivity", "a.hdf", "--set", "parts.rope.rope.density=400", "--to", "parts.rope", "--json").json()
-        by_density = next(n for n in heavier["numbers"] if n["path"].endswith("density"))
+        heavier = self.netloft("sensitivity", "a.hdf", "--set", "parts.rope.rope.density=400", "--to", "parts.rope", "--json")
+        self.assertRegex(heavier.err, r"the equilibrium is up to [\d.]+ m from the shape in a\.hdf")
+        by_density = next(n for n in heavier.json()["numbers"] if n["path"].endswith("density"))
         self.assertEqual(by_density["value"], 400)
 
     def test_sensitivities_of_a_result_need_the_files_that_it_was_made_of(self):
