@@ -53,6 +53,22 @@ lowest_z = { of = "net", take = "min z" }
 """
 
 
+# A line of 10 m that hangs from one end.
+LINE = """\
+[water]
+density = 1025
+gravity = 9.81
+[parts.line]
+type = "rope/bar"
+length = "10 m"
+cells = 4
+sketch = [[0, 0, 0], [1, 0, -9]]
+rope = { diameter = "20 mm", EA = "100 kN", density = 1150 }
+[[hold]]
+on = "line.start"
+"""
+
+
 def changed(text, *changes):
     """`text` with each (old, new) replaced; an old text that is missing is a mistake in the test."""
     for old, new in changes:

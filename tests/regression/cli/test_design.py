@@ -13,7 +13,8 @@ import time
 import unittest
 from pathlib import Path
 
-PROGRAM, SOURCE = os.environ["NETLOFT_PROGRAM"], Path(os.environ["NETLOFT_SOURCE_DIR"])
+from program import LINE, PROGRAM, SOURCE
+
 BLOCK = re.compile(r"^```json (\w+)\n(.*?)^```", re.DOTALL | re.MULTILINE)
 SCENE = "gear-library/scenes/83-112-flume-3.0kn.toml"
 
@@ -145,23 +146,10 @@ class Examples(unittest.TestCase):
 
 class Solvers(unittest.TestCase):
     """A design outlives its solver: the page gets a sentence, and the text can be taken back."""
-    LINE = """\
-[water]
-density = 1025
-gravity = 9.81
-[parts.line]
-type = "rope/bar"
-length = "10 m"
-cells = 4
-sketch = [[0, 0, 0], [1, 0, -9]]
-rope = { diameter = "20 mm", EA = "100 kN", density = 1150 }
-[[hold]]
-on = "line.start"
-"""
     EVIL = '[parts.evil]\ntype = "hostile/%s"\non = "line.end"\n'
 
     def setUp(self):
-        self.served = Served("line.toml", text=self.LINE, words=("--plugins", os.environ["NETLOFT_TEST_PLUGINS"]))
+        self.served = Served("line.toml", text=LINE, words=("--plugins", os.environ["NETLOFT_TEST_PLUGINS"]))
         self.addCleanup(self.served.end, self)
         self.first = self.solver()
 
@@ -184,24 +172,24 @@ on = "line.start"
         self.assertLess(outcome["ghost_off"], 0.01)
 
     def test_that_crash_are_named_and_replaced(self):
-        outcome = self.change(self.LINE + self.EVIL % "crashes", True)["outcome"]
+        outcome = self.change(LINE + self.EVIL % "crashes", True)["outcome"]
         self.assertEqual(outcome["status"], "solver ended")
         self.assertIn("hostile/crashes crashed in term pull (Segmentation fault)", outcome["sentence"])
         self.go_back()
 
     def test_that_exit_are_named_and_replaced(self):
-        outcome = self.change(self.LINE + self.EVIL % "exits", True)["outcome"]
+        outcome = self.change(LINE + self.EVIL % "exits", True)["outcome"]
         self.assertEqual(outcome["status"], "solver ended")
         self.assertIn("hostile/exits ended the program (exit) in term pull", outcome["sentence"])
         self.go_back()
 
     def test_that_never_return_are_ended_by_the_next_change(self):
-        self.change(self.LINE + self.EVIL % "loops", False)
+        self.change(LINE + self.EVIL % "loops", False)
         time.sleep(0.3)
         self.go_back()
 
     def test_that_never_return_are_ended_on_demand(self):
-        self.change(self.LINE + self.EVIL % "loops", False)
+        self.change(LINE + self.EVIL % "loops", False)
         time.sleep(0.3)
         self.assertEqual(self.served.ask("stop")[0], 200)
         outcome = self.served.ask("solve")[1]

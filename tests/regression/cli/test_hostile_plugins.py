@@ -8,28 +8,13 @@ from pathlib import Path
 
 import h5py
 
-from program import SOURCE, InFreshFolder
+from program import LINE, SOURCE, InFreshFolder
 
 PLUGINS = Path(os.environ["NETLOFT_TEST_PLUGINS"])
 AT_START = PLUGINS.parent / "hostile"
 
-# A line of 10 m and a weight whose element type is inserted.
-LINE = """\
-[water]
-density = 1025
-gravity = 9.81
-[parts.line]
-type = "rope/bar"
-length = "10 m"
-cells = 4
-sketch = [[0, 0, 0], [1, 0, -9]]
-rope = { diameter = "20 mm", EA = "100 kN", density = 1150 }
-%s
-[[hold]]
-on = "line.start"
-[results]
-low = { of = "line.end", take = "z" }
-"""
+# A line of 10 m with an element of a type that is inserted.
+EVIL_LINE = LINE + '%s\n[results]\nlow = { of = "line.end", take = "z" }\n'
 
 
 class Hostile(InFreshFolder):
@@ -37,7 +22,7 @@ class Hostile(InFreshFolder):
 
     def scene(self, element=None):
         part = f'[parts.evil]\ntype = "hostile/{element}"\non = "line.end"\n' if element else ""
-        self.write("line.toml", LINE % part)
+        self.write("line.toml", EVIL_LINE % part)
         return ["line.toml", "--plugins", str(PLUGINS), "-o", "r.hdf"]
 
     def wait_until_it_loops(self, run):
@@ -89,7 +74,7 @@ class EndlessLoops(Hostile):
     def setUp(self):
         super().setUp()
         self.scene()
-        self.write("element.toml", LINE % '[parts.evil]\ntype = "hostile/loops"\non = "line.end"\n')
+        self.write("element.toml", EVIL_LINE % '[parts.evil]\ntype = "hostile/loops"\non = "line.end"\n')
         self.runs = {name: subprocess.Popen(
             self.command("run", *words, "--plugins", str(PLUGINS), "-o", f"{name}.hdf"), cwd=self.folder,
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=self.TELLS) for name, words in self.RUNS.items()}
