@@ -129,7 +129,8 @@ double speed_inside(const GearView& gear, const Bag& bag, const Vector& place) {
 
 /// The mean of the speed over the mouth [m/s] and the area of the modelled part of the mouth [m2]. The mouth
 /// is divided into triangles between its middle and the bars of its rim. The points of the mean are a quarter
-/// of a bar ahead of it, because netting may lie in the mouth itself.
+/// of a bar ahead of it, because netting may lie in the mouth itself. With 0.05 to 0.5 of a bar, and with 1
+/// to 6 rings, the mean of a trawl differs by less than a thousandth.
 struct Mouth {
   double speed = 0, area = 0;
 };
