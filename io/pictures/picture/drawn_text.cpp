@@ -42,7 +42,7 @@ std::vector<int> characters(const std::string& text) {
   return all;
 }
 
-float advance_of(int character, float scale) {
+float pixels_to_next(int character, float scale) {
   int advance = 0, bearing = 0;
   stbtt_GetCodepointHMetrics(&font(), character, &advance, &bearing);
   return scale * static_cast<float>(advance);
@@ -77,10 +77,26 @@ void write_letter(Image& image, double x, double y, int character, float scale, 
 
 }  // namespace
 
+std::vector<Glyph> glyphs_of(const std::string& text) {
+  std::vector<Glyph> glyphs;
+  for (const int character : characters(text))
+    glyphs.push_back({stbtt_FindGlyphIndex(&font(), character), character});
+  return glyphs;
+}
+
+double advance_of(int character) { return static_cast<double>(pixels_to_next(character, scale_of(1))); }
+
+FontBox font_box() {
+  std::array<int, 4> box{};
+  stbtt_GetFontBoundingBox(&font(), &box[0], &box[1], &box[2], &box[3]);
+  const auto em = static_cast<double>(scale_of(1));
+  return {em * box[0], em * box[1], em * box[2], em * box[3]};
+}
+
 double text_width(const std::string& text, double size) {
   double width = 0;
   for (const int character : characters(text))
-    width += static_cast<double>(advance_of(character, scale_of(size)));
+    width += static_cast<double>(pixels_to_next(character, scale_of(size)));
   return width;
 }
 
@@ -89,7 +105,7 @@ void write_text(Image& image, double x, double y, const std::string& text, doubl
   const float scale = scale_of(size);
   for (const int character : characters(text)) {
     write_letter(image, x, y, character, scale, colour);
-    x += static_cast<double>(advance_of(character, scale));
+    x += static_cast<double>(pixels_to_next(character, scale));
   }
 }
 

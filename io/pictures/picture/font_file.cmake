@@ -11,5 +11,6 @@ file(CONFIGURE OUTPUT font_file.cpp CONTENT "// SPDX-License-Identifier: BSD-3-C
 namespace netloft::pictures {
 const unsigned char kFontFile[] = {
 @bytes@};
+const std::size_t kFontFileSize = sizeof kFontFile;
 }
 " @ONLY)

@@ -77,10 +77,11 @@ void add_draw_command(CLI::App& app, Chosen& chosen) {
   draw.add_option("GEAR", o.file, "net plan or polars, or result")
       ->required()
       ->type_name("FILE.toml|FILE.hdf");
-  as_word(draw.add_option("-o,--output", o.output,
-                          "picture, for polars .svg or .html; default: the name of the gear or result with "
-                          ".svg, in this folder"),
-          "FILE.svg|FILE.png|FILE.html");
+  as_word(
+      draw.add_option("-o,--output", o.output,
+                      "picture, for net plans also .pdf, for polars .svg or .html; default: the name of the "
+                      "gear or result with .svg, in this folder"),
+      "FILE.svg|FILE.png|FILE.pdf|FILE.html");
   add_common_options(draw, o);
   add_plan_options(draw, o);
   add_picture_options(draw, o);

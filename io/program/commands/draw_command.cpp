@@ -5,6 +5,7 @@
 #include "io/gears/meshing/division.hpp"
 #include "io/gears/plan/checked_plan.hpp"
 #include "io/gears/plan/read_plan.hpp"
+#include "io/pictures/picture/pdf_picture.hpp"
 #include "io/pictures/picture/pixel_picture.hpp"
 #include "io/program/commands/draw_polars.hpp"
 #include "io/program/commands/gears.hpp"
@@ -41,7 +42,9 @@ std::string output_of(const DrawOptions& options) {
   return std::filesystem::path(options.file).stem().string() + ".svg";
 }
 
-bool is_png(const std::string& output) { return std::filesystem::path(output).extension() == ".png"; }
+bool ends_in(const std::string& output, const char* ending) {
+  return std::filesystem::path(output).extension() == ending;
+}
 
 std::vector<std::string> files_of(const gears::NetPlan& plan) {
   std::vector<std::string> paths;
@@ -95,9 +98,13 @@ std::string picture_of(const gears::NetPlan& plan, const DrawOptions& options,
                        formats::Diagnostics& diagnostics) {
   const double pixels = options.width ? static_cast<double>(options.width) : kPlanWidth;
   try {
-    if (is_png(output_of(options))) {
+    if (ends_in(output_of(options), ".png")) {
       pictures::PixelPicture picture;
       return picture.finish(draw_on(picture, plan, options, diagnostics), pixels);
+    }
+    if (ends_in(output_of(options), ".pdf")) {
+      pictures::PdfPicture picture;
+      return picture.finish(draw_on(picture, plan, options, diagnostics));
     }
     formats::SvgPicture picture;
     return picture.finish(draw_on(picture, plan, options, diagnostics), pixels);
@@ -117,7 +124,7 @@ int draw_plan(const DrawOptions& options) {
   formats::Diagnostics of_division = diagnostics.without_messages();
   const std::string picture = picture_of(plan, options, of_division);
   if (const int code = say(of_division, terminal); code != kDone) return code;
-  replace_file(output, picture, files_of(plan), {".svg", ".png"});
+  replace_file(output, picture, files_of(plan), {".svg", ".png", ".pdf"});
   report_written(output, terminal);
   return kDone;
 }

@@ -4,6 +4,7 @@ import re
 import tomllib
 import unittest
 import xml.etree.ElementTree as xml
+import zlib
 
 from program import SOURCE, InFreshFolder
 from test_results import pixels
@@ -123,6 +124,14 @@ class Gears(InFreshFolder):
             self.assertTrue((picture == 255).all(axis=2).any() and (picture.sum(axis=2) < 300).any(), "white paper, dark lines")
         self.assertEqual(self.netloft("draw", str(GEARS[0]), "-o", "plan.svg", "--width", "700").code, 0)
         self.assertEqual(xml.parse(self.folder / "plan.svg").getroot().get("width"), "700")
+
+    def test_a_plan_is_printed_with_every_line_and_text_of_the_picture(self):
+        for name in ("plan.pdf", "plan.svg"):
+            self.assertEqual(self.netloft("draw", str(GEARS[0]), "-o", name).code, 0)
+        pdf, svg = self.files()["plan.pdf"], self.files()["plan.svg"].decode()
+        drawn = [zlib.decompress(found) for found in re.findall(rb"stream\n(.*?)\nendstream", pdf, re.DOTALL)][0].decode()
+        self.assertEqual(drawn.count(" Tj ET\n"), svg.count("<text "))
+        self.assertEqual(drawn.count(" S\n"), svg.count("<line "))
 
     def test_a_wrong_plan_is_not_drawn(self):
         self.write("slip.toml", SLIP)
