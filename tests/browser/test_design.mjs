@@ -173,7 +173,7 @@ test('questions are answered', async () => {
 
 test('files are exported, and errors of the mesh stand beside the figures', async () => {
   const {address} = await serve(OWN.replace('nodes = 200', 'nodes = 500')), {page, seen} = await open(browser.context, address);
-  for (const [kind, begin] of [['svg', '<svg'], ['hdf', '\u0089HDF'], ['html', '<!DOCTYPE html>']]) {
+  for (const [kind, begin] of [['pdf', '%PDF-1.'], ['svg', '<svg'], ['hdf', '\u0089HDF'], ['html', '<!DOCTYPE html>']]) {
     await page.selectOption('#export', kind);
     const [download] = await Promise.all([page.waitForEvent('download'), page.click('#do-export')]);
     assert.ok(download.suggestedFilename().endsWith(`.${kind}`), download.suggestedFilename());
@@ -185,9 +185,42 @@ test('files are exported, and errors of the mesh stand beside the figures', asyn
   assert.deepEqual(seen, {errors: [], requests: []});
 });
 
+test('the start stands beside the gear, at one scale, and differences are those from it', async () => {
+  const {address} = await serve(), {page, seen} = await open(browser.context, address), first = await revision(page), h = await height(page);
+  await openTable(page, 'tow');
+  await page.fill('.one-number[data-path="tow.speed"] input[type=number]', '4');
+  await page.keyboard.press('Tab');
+  await solved(page, first + 1);
+  await page.click('#keep-beside');
+  await page.waitForFunction(() => /as kept/.test(document.getElementById('said').textContent), null, {timeout: 30000});
+  assert.match(await page.textContent('#keys div:nth-child(3) small'), /no difference/);
+  await page.selectOption('#beside', 'start');
+  await page.waitForFunction(() => document.getElementById('compared-with').textContent === 'the start' && window.netloftViewer.panes.areTwo && window.netloftViewer.results[1].file === 'the start', null, {timeout: 30000});
+  await drawn(page);
+  const {scale, heights, names} = await page.evaluate(() => {
+    const v = window.netloftViewer, high = (i) => { const z = Array.from(v.models[i].points).filter((_, k) => k % 3 === 2); return Math.max(...z) - Math.min(...z); };
+    const project = (pane) => v.panes.within(pane, () => [[0, 0, 0], [0, 0, 1]].map((p) => v.camera.project(p)[1]));
+    return {scale: v.panes.list.map((pane) => { const [a, b] = project(pane); return a - b; }), heights: [high(0), high(1)], names: [...document.querySelectorAll('#dimensions > svg > text:last-of-type')].length};
+  });
+  assert.ok(Math.abs(scale[0] - scale[1]) < 1e-9 && scale[0] > 0, 'one scale, one direction of view');
+  assert.notEqual(heights[0], heights[1]);
+  assert.equal(names, 2);
+  const said = (await page.textContent('#report tbody tr:has(th:text-is("mouth, headline height")) td:nth-child(5)'));
+  assert.ok(Math.abs(parseFloat(said) - h) < 1e-3 * h, said);
+  const box = await page.locator('#canvas').boundingBox();
+  const spot = await page.evaluate(() => { const v = window.netloftViewer, pane = v.panes.list[1]; return v.panes.within(pane, () => v.camera.project(v.models[1].at(v.results[1].tri[0])).map((x, i) => (i === 0 ? x + pane.left : x))); });
+  await page.mouse.click(box.x + spot[0], box.y + spot[1]);
+  assert.equal(await page.evaluate(() => window.netloftViewer.selection.hit && window.netloftViewer.selection.hit.pane), 1);
+  await page.evaluate(() => window.netloftViewer.selection.set(null));
+  await page.selectOption('#beside', '');
+  await page.waitForFunction(() => window.netloftViewer.results.length === 1);
+  assert.equal(await page.textContent('#compared-with'), 'at the start');
+  assert.deepEqual(seen, {errors: [], requests: []});
+});
+
 test('everything on the page is reached with the Tab key, and a number is changed by keys alone', async () => {
   const {address} = await serve(), {page} = await open(browser.context, address), first = await revision(page);
-  const wanted = await page.evaluate(() => ['undo', 'save-text', 'export', 'do-export', 'tab-plan', 'canvas', 'filter', 'set', 'figure', 'ask-influences', 'moved', 'ask-sweep', 'ask-range', 'target', 'ask-reach', 'ask-errors'].filter((id) => !document.getElementById(id).disabled));
+  const wanted = await page.evaluate(() => ['undo', 'save-text', 'beside', 'keep-beside', 'export', 'do-export', 'tab-plan', 'canvas', 'filter', 'set', 'figure', 'ask-influences', 'moved', 'ask-sweep', 'ask-range', 'target', 'ask-reach', 'ask-errors'].filter((id) => !document.getElementById(id).disabled));
   const reached = new Set();
   await page.evaluate(() => { document.activeElement.blur(); document.querySelector('details[data-table="tow"]').open = true; });
   for (let i = 0; i < 300 && (reached.size === 0 || !wanted.every((id) => reached.has(id)) || !reached.has('tow.speed')); ++i) {

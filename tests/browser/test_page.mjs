@@ -445,6 +445,25 @@ test('two results are laid over one another and coloured by their distance', asy
   assert.deepEqual(seen, {errors: [], requests: []});
 });
 
+test('two results stand beside each other, and the picture of each is its own', async () => {
+  const {page, seen} = await opened('two', 'slower', 'faster');
+  await page.selectOption('#overlay', 'beside');
+  await drawn(page);
+  const high = await page.evaluate(() => {
+    const v = window.netloftViewer, span = (i) => { const y = v.panes.within(v.panes.list[i], () => [...v.models[i].places('netting')].map((p) => v.camera.project(p))); return [0, 1].map((k) => [Math.min(...y.map((p) => p[k])), Math.max(...y.map((p) => p[k]))]); };
+    v.look('side');
+    return {spans: [span(0), span(1)], width: v.panes.list[0].width};
+  });
+  for (const [[left, right]] of high.spans) assert.ok(left >= 0 && right <= high.width, JSON.stringify(high));
+  const [slow, fast] = high.spans.map(([, [top, bottom]]) => bottom - top);
+  assert.ok(slow > 1.1 * fast, `a slower net is higher at the same scale: ${slow} and ${fast} pixels`);
+  const png = await canvasPixels(page), half = png.width / 2, dark = [0, 0];
+  luminances(png).forEach((light, i) => { if (light < 120) ++dark[i % png.width < half ? 0 : 1]; });
+  assert.ok(dark.every((count) => count > 500), `netting in both halves: ${dark}`);
+  await page.selectOption('#overlay', 'both');
+  assert.deepEqual(seen, {errors: [], requests: []});
+});
+
 test('two results on different meshes are compared place by place on their panels', async () => {
   const {page, seen} = await opened('meshes', 'slower', 'trawl');
   const facts = await page.evaluate(() => {

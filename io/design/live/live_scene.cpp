@@ -345,14 +345,12 @@ formats::Diagnostics LiveScene::check() {
   return said;
 }
 
-std::string LiveScene::plan_drawing() {
+std::optional<formats::DrawingSize> LiveScene::draw_plan(formats::LineDrawing& picture) {
   formats::Diagnostics said;
   bool refused = false;
   const gears::NetPlan plan = source_.scene.check_plan({}, registry_, said, refused);
-  if (said.errors() || plan.panels.empty()) return "";
-  formats::SvgPicture picture;
-  const formats::DrawingSize size = gears::draw_plan(plan, picture);
-  return picture.finish(size, size.width);
+  if (said.errors() || plan.panels.empty()) return std::nullopt;
+  return gears::draw_plan(plan, picture);
 }
 
 results::Result LiveScene::with_mesh_errors(const std::atomic<bool>& interrupt) const {

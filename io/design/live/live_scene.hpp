@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "io/design/live/equilibrium.hpp"
+#include "io/formats/svg/svg.hpp"
 #include "io/formats/toml/document.hpp"
 #include "io/formats/toml/number_words.hpp"
 #include "io/runs/watch.hpp"
@@ -94,8 +95,9 @@ class LiveScene {
   results::StoredShape shape() const;
   /// All messages about the plan of the last text, its warnings with tried cures.
   formats::Diagnostics check();
-  /// The plan of the last text as SVG; empty without a plan, or if it has errors.
-  std::string plan_drawing();
+  /// Draws the plan of the last text, and returns the size of the drawing; nullopt without a plan, or if it
+  /// has errors.
+  std::optional<formats::DrawingSize> draw_plan(formats::LineDrawing& picture);
   /// The equilibrium after changes of numbers, found by continuation from a given equilibrium and by no other
   /// search. If there is none, the result is nullptr and `why_not` a sentence. Throws formats::Interrupted.
   std::unique_ptr<Equilibrium> neighbour(const Equilibrium& from, std::span<const formats::Change> changes,

@@ -33,10 +33,12 @@ class Designer {
       $('errors-said').textContent = 'solving on other meshes …';
       try {
         const {figures, note} = await this.server.ask('errors');
-        showReport(withErrors(this.shape.figures, figures));
+        this.showReport(withErrors(this.shape.figures, figures));
         $('errors-said').textContent = `The error of the mesh ${note}`;
       } catch (error) { $('errors-said').textContent = error.message; }
     });
+    press('keep-beside', async () => this.putBeside({...await this.server.ask('beside', {of: 'now'}), name: `as kept at ${new Date().toLocaleTimeString()}`}, 'kept'));
+    $('beside').addEventListener('change', () => this.attempt(() => this.chooseBeside($('beside').value)));
     press('do-export', () => this.download($('export').value));
     press('stop', async () => { $('stop').hidden = true; await this.server.ask('stop'); });
     press('dismiss', async () => { $('notice').hidden = true; });
@@ -48,6 +50,35 @@ class Designer {
       event.preventDefault();
       $(event.shiftKey ? 'redo' : 'undo').click();
     });
+  }
+
+  /** Another gear beside this one: `choice` is nothing, the start, the one that was kept, or a file. */
+  async chooseBeside(choice) {
+    if (choice === '') return this.putBeside(null, '');
+    if (choice === 'kept') return this.putBeside(this.kept, choice);
+    const name = choice === 'start' ? 'the start' : choice;
+    this.say(`${name} is being put beside this one …`);
+    return this.putBeside({...await this.server.ask('beside', choice === 'start' ? {of: 'start'} : {file: choice}), name}, choice);
+  }
+
+  async putBeside(beside, choice) {
+    if (choice === 'kept') this.kept = beside;
+    if (![...$('beside').options].some((o) => o.value === choice)) $('beside').append(element('option', {value: choice}));
+    const option = [...$('beside').options].find((o) => o.value === choice);
+    if (beside) option.textContent = beside.name;
+    $('beside').value = choice;
+    this.beside = beside;
+    this.showFigures(this.shape.figures, false);
+    this.showReport(this.shape.figures);
+    if (!this.shape.isFlat) await this.shape.showBeside(beside && structuredClone(beside.picture), beside && beside.name);
+    if (beside) this.say(`${beside.name} is beside this one; differences are those from it`);
+  }
+
+  showFigures(figures, isGhost) { showKeyFigures(comparedWith(figures, this.beside), isGhost); }
+
+  showReport(figures) {
+    $('compared-with').textContent = this.beside ? this.beside.name : 'at the start';
+    showReport(comparedWith(figures, this.beside));
   }
 
   /** The floats of the catalogue, and the ropes of the gear. */
@@ -110,7 +141,7 @@ class Designer {
   moved(path, value, isMoving) {
     this.moving = {path, value, at: performance.now()};
     if (!isMoving) this.questions.choose(path);
-    this.shape.ghost(path, value).then((figures) => { if (figures && this.moving && this.moving.value === value) showKeyFigures(figures, true); });
+    this.shape.ghost(path, value).then((figures) => { if (figures && this.moving && this.moving.value === value) this.showFigures(figures, true); });
     clearTimeout(this.rest);
     const goesOn = this.gesture === path;
     this.rest = setTimeout(() => { this.rest = null; this.gesture = isMoving ? path : null; this.apply({path, to: value, goes_on: goesOn}); }, isMoving ? REST : 0);
@@ -162,8 +193,8 @@ class Designer {
     await this.shape.take(outcome);
     if (this.begun) { this.times.push(performance.now() - this.begun); this.begun = null; }
     this.moving = null;
-    showKeyFigures(outcome.figures, false);
-    showReport(outcome.figures);
+    this.showFigures(outcome.figures, false);
+    this.showReport(outcome.figures);
     if (this.list) this.questions.show(outcome.figures, this.list);
     const ms = Math.round(1000 * (outcome.seconds.reading + outcome.seconds.solving));
     this.say(`equilibrium found in ${ms} ms`);
@@ -192,7 +223,7 @@ class Designer {
   takeFailure(outcome) {
     this.moving = null;
     this.shape.setGrey(true);
-    showKeyFigures(this.shape.figures, false);
+    this.showFigures(this.shape.figures, false);
     const error = outcome.messages.find((m) => m.severity === 'error');
     this.warn(error ? `${error.message}${error.hint ? `; ${error.hint}` : ''}` : `${outcome.status}: ${outcome.sentence}${outcome.at_fault ? ` (at ${outcome.at_fault})` : ''}. The last shape is kept, in grey.`);
     showMessages($('checks'), outcome.messages, (set) => this.apply({set}));
@@ -248,6 +279,7 @@ class Designer {
       progress: ({done, of}) => { $('answer').textContent = `working: ${done} of ${of}`; },
     }, () => this.warn('The program has ended. What was not saved is lost; start netloft design again.'));
     if (state.outcome) await this.solved(state.outcome);
+    if (state.beside) await this.chooseBeside(state.beside);
   }
 }
 

@@ -4,7 +4,7 @@
 function differenceText(figure) {
   if (!Number.isFinite(figure.value) || !Number.isFinite(figure.start)) return '';
   const by = figure.value - figure.start, share = Math.abs(figure.start) > 0 ? 100 * by / Math.abs(figure.start) : NaN;
-  if (Math.abs(by) <= 1e-7 * Math.abs(figure.start)) return 'as at the start';
+  if (Math.abs(by) <= 1e-7 * Math.abs(figure.start)) return 'no difference';
   const sign = by > 0 ? '+' : '';
   return `${sign}${shortText(by, figure.unit)}${Number.isFinite(share) ? ` (${sign}${formatNumber(share, 2)} %)` : ''}`;
 }
@@ -30,6 +30,13 @@ function showReport(figures) {
       by ? withUnit(by, f.unit) : '', by && Number.isFinite(share) ? formatNumber(share, 3) : '']) row.append(element('td', {class: 'number'}, text));
     return row;
   }));
+}
+
+/** Figures that are compared with those of the gear beside this one, not with the start. */
+function comparedWith(figures, beside) {
+  if (!beside) return figures;
+  const values = new Map(beside.figures.map((f) => [f.name, f.value]));
+  return figures.map((f) => ({...f, start: values.get(f.name) ?? null}));
 }
 
 /** Figures with the errors of the mesh that belong to them. */

@@ -4,13 +4,38 @@
 
 class Shape {
   constructor(server) {
-    Object.assign(this, {server, viewer: null, points: null, figures: [], tangents: new Map(), timesOfGhosts: []});
+    Object.assign(this, {server, viewer: null, points: null, figures: [], tangents: new Map(), timesOfGhosts: [], beside: [], turn: Promise.resolve()});
+  }
+
+  /** Pictures are replaced one after another. */
+  inTurn(work) {
+    this.turn = this.turn.catch(() => {}).then(work);
+    return this.turn;
   }
 
   /** The viewer, once there is a picture; null without WebGL. */
-  async showPicture(data) {
-    const results = await Promise.all(data.results.map(decodeResult));
-    if (this.viewer) { await this.viewer.replace(results[0]); return; }
+  showPicture(data) { return this.inTurn(() => this.takePicture(data)); }
+
+  /** Shows another gear beside this one, `name` below it; null: none. */
+  showBeside(picture, name) {
+    return this.inTurn(async () => {
+      this.beside = picture ? [Object.assign(await decodeResult(picture.results[0]), {file: name})] : [];
+      if (!this.viewer) return;
+      await this.viewer.replace([this.viewer.results[0], ...this.beside]);
+      this.putBeside();
+      if (this.points) this.show(this.points);
+    });
+  }
+
+  putBeside() {
+    if (!this.beside.length) return;
+    $('overlay').value = 'beside';
+    $('overlay').dispatchEvent(new Event('change'));
+  }
+
+  async takePicture(data) {
+    const results = [Object.assign(await decodeResult(data.results[0]), {file: 'this one'}), ...this.beside];
+    if (this.viewer) { await this.viewer.replace(results); return; }
     $('app').hidden = false;
     try {
       this.viewer = new Viewer(data.style, results);
@@ -22,6 +47,7 @@ class Shape {
       return;
     }
     await this.viewer.start();
+    this.putBeside();
     this.viewer.drawNow();
     window.netloftViewer = this.viewer;
     this.viewer.canvas.addEventListener('selected', (event) => { if (event.detail && this.onPart) this.onPart(event.detail); });

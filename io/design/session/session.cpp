@@ -31,8 +31,13 @@ bool was_interrupted(const Json& outcome) {
 
 }  // namespace
 
-Session::Session(const std::filesystem::path& scene, const std::filesystem::path& library, SolverCall solver)
-    : texts_(scene, library), solver_(std::move(solver)), worker_([this] { work(); }) {}
+Session::Session(const std::filesystem::path& scene, const std::filesystem::path& library, SolverCall solver,
+                 std::string beside)
+    : texts_(scene, library),
+      first_(texts_),
+      beside_(std::move(beside)),
+      solver_(std::move(solver)),
+      worker_([this] { work(); }) {}
 
 Session::~Session() {
   end();
@@ -61,12 +66,12 @@ bool Session::is_saved() const {
 
 const std::map<std::string, Session::Request>& Session::requests() {
   static const std::map<std::string, Request> all{
-      {"state", &Session::state},        {"apply", &Session::apply},
-      {"undo", &Session::undo},          {"redo", &Session::redo},
-      {"save", &Session::save},          {"check", &Session::check},
-      {"solve", &Session::solve},        {"run", &Session::run},
-      {"stop", &Session::stop},          {"report", &Session::report},
-      {"catalogue", &Session::catalogue}};
+      {"state", &Session::state},         {"apply", &Session::apply},
+      {"undo", &Session::undo},           {"redo", &Session::redo},
+      {"save", &Session::save},           {"check", &Session::check},
+      {"solve", &Session::solve},         {"run", &Session::run},
+      {"stop", &Session::stop},           {"report", &Session::report},
+      {"catalogue", &Session::catalogue}, {"beside", &Session::beside}};
   return all;
 }
 
@@ -103,6 +108,7 @@ Json Session::state(const Json&) {
   Json json = text_state();
   json["outcome"] = outcome_;
   json["event"] = last_id_;
+  json["beside"] = beside_.empty() ? Json(nullptr) : Json(beside_);
   return json;
 }
 
@@ -261,6 +267,16 @@ Json Session::report(const Json&) {
     json["figures"] = with_start(std::move(json["figures"]));
     return json;
   });
+}
+
+/// A gear to compare with: this one as it was opened or as it is now, or another file.
+Json Session::beside(const Json& body) {
+  if (body.contains("file"))
+    return from_solver("beside", {{"file", text_in(body, "file")}, {"texts", Json::object()}});
+  const std::string of = text_in(body, "of");
+  if (of == "now") return from_solver("beside", Json::object());
+  if (of != "start") throw WrongRequest("\"of\" is neither \"start\" nor \"now\"");
+  return from_solver("beside", {{"file", first_.file().string()}, {"texts", first_.own()}});
 }
 
 Json Session::from_solver(const std::string& name, const Json& body) {

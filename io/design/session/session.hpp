@@ -26,8 +26,10 @@ struct Event {
 /// which was found from its neighbour. Any thread may call the functions. DESIGN.md documents the requests.
 class Session {
  public:
-  /// `library`: as for SceneTexts. Throws formats::ReadError if the file cannot be read.
-  Session(const std::filesystem::path& scene, const std::filesystem::path& library, SolverCall solver);
+  /// `library`: as for SceneTexts. `beside`: a file that the page shows beside the design; empty: none.
+  /// Throws formats::ReadError if the scene cannot be read.
+  Session(const std::filesystem::path& scene, const std::filesystem::path& library, SolverCall solver,
+          std::string beside = {});
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -61,6 +63,7 @@ class Session {
   Json run(const Json& body);
   Json stop(const Json& body);
   Json report(const Json& body);
+  Json beside(const Json& body);
   Json from_solver(const std::string& name, const Json& body);
 
   /// A change of the text since the last equilibrium: of one number (`moved`), or any other change.
@@ -91,6 +94,8 @@ class Session {
   std::condition_variable news_;    // for the worker
   std::condition_variable events_;  // signals new events and outcomes
   SceneTexts texts_;
+  const SceneTexts first_;    // as the design was opened
+  const std::string beside_;  // name of the file that the page shows beside the design
   std::uint64_t revision_ = 1, followed_ = 0, confirmed_ = 0;
   std::vector<Step> steps_;  // since the last equilibrium
   Json outcome_;             // of the revision followed_

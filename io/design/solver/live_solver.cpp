@@ -4,6 +4,7 @@
 #include "io/design/solver/questions.hpp"
 #include "io/design/solver/replies.hpp"
 #include "io/design/solver/request_values.hpp"
+#include "io/formats/work/long_work.hpp"
 
 namespace netloft::design {
 
@@ -51,8 +52,9 @@ Json LiveSolver::answer(const std::string& name, const Json& body, const std::at
     return tangents_json(tangents, *scene_.last());
   }
   if (name == "check") return {{"messages", messages_json(scene_.check())}};
-  if (name == "plan") return {{"svg", scene_.plan_drawing()}};
+  if (name == "plan") return plan_json(scene_);
   if (name == "picture") return picture_json(scene_);
+  if (name == "beside") return body.contains("file") ? beside(body, interrupt) : beside_json(scene_.shape());
   if (name == "report") return report_json(scene_);
   if (name == "export") return export_json(scene_, text_in(body, "as"));
   if (name == "errors") {
@@ -75,6 +77,23 @@ Json LiveSolver::follow(const Json& body, const std::atomic<bool>& interrupt) {
       outcome_json(scene_.follow(text_in(body, "file"), texts_in(body), moved, interrupt, mesh), scene_);
   json["words"] = new_words();
   return json;
+}
+
+/// The equilibrium of another scene, as a run finds it, or the shape in a result file.
+Json LiveSolver::beside(const Json& body, const std::atomic<bool>& interrupt) {
+  const std::string name = text_in(body, "file");
+  if (std::filesystem::path(name).extension() == ".hdf") try {
+      return beside_json(results::StoredShape(name));
+    } catch (const formats::FileError& e) {
+      throw Refused(e.what());
+    }
+  LiveScene other(name, registry_, threads_);
+  other.on_budget = scene_.on_budget;
+  const Outcome outcome = other.follow(name, texts_in(body), std::nullopt, interrupt);
+  if (outcome.status == Outcome::Status::interrupted) throw formats::Interrupted{};
+  if (outcome.status == Outcome::Status::converged) return beside_json(other.shape());
+  const std::string error = first_error_of(outcome.diagnostics);
+  throw Refused(name + " has no equilibrium to be shown: " + (error.empty() ? outcome.sentence : error));
 }
 
 Json LiveSolver::new_words() {

@@ -9,11 +9,12 @@ namespace netloft::design {
 class LiveSolver {
  public:
   LiveSolver(const std::filesystem::path& file, Registry& registry, int threads)
-      : scene_(file, registry, threads) {}
+      : registry_(registry), threads_(threads), scene_(file, registry, threads) {}
 
-  /// The requests are those of DESIGN.md that need the scene, and two that a session makes:
+  /// The requests are those of DESIGN.md that need the scene, and some that a session makes:
   ///   follow: the outcome for the texts of the body, with `words`, the number words that are new;
-  ///   rerun: the outcome of a run of the last text from its sketch.
+  ///   rerun: the outcome of a run of the last text from its sketch;
+  ///   beside: figures and picture of another scene or result, or of this one without a `file`.
   /// Throws WrongRequest, Refused and formats::Interrupted.
   Json answer(const std::string& name, const Json& body, const std::atomic<bool>& interrupt,
               const OnProgress& on_progress);
@@ -23,8 +24,11 @@ class LiveSolver {
 
  private:
   Json follow(const Json& body, const std::atomic<bool>& interrupt);
+  Json beside(const Json& body, const std::atomic<bool>& interrupt);
   Json new_words();
 
+  Registry& registry_;
+  int threads_;
   LiveScene scene_;
   std::map<std::string, Json> words_;  // those that were answered
 };

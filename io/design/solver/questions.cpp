@@ -5,6 +5,7 @@
 #include "io/formats/units/units.hpp"
 #include "io/formats/work/interruptible_work.hpp"
 #include "io/pictures/picture/base64.hpp"
+#include "io/pictures/picture/pdf_picture.hpp"
 #include "io/pictures/view/page.hpp"
 #include "io/pictures/view/report_html.hpp"
 #include "io/pictures/view/result_json.hpp"
@@ -70,9 +71,14 @@ void sweep_side(LiveScene& scene, const studies::SceneNumber& number, const std:
 
 }  // namespace
 
-Json picture_json(const LiveScene& scene) {
-  const results::StoredShape shape = scene.shape();
+Json picture_json(const results::StoredShape& shape) {
   return Json::parse(pictures::results_json({&shape}, 1));
+}
+
+Json picture_json(const LiveScene& scene) { return picture_json(scene.shape()); }
+
+Json beside_json(const results::StoredShape& shape) {
+  return {{"figures", figures_json(shape.result)}, {"picture", picture_json(shape)}};
 }
 
 Json report_json(const LiveScene& scene) {
@@ -83,11 +89,27 @@ Json report_json(const LiveScene& scene) {
           {"deck", pictures::deck_html(now.result)}};
 }
 
-Json export_json(const LiveScene& scene, const std::string& kind) {
-  if (kind != "hdf" && kind != "html") throw WrongRequest("\"as\" has to be \"hdf\" or \"html\"");
+Json plan_json(LiveScene& scene) {
+  formats::SvgPicture picture;
+  const auto size = scene.draw_plan(picture);
+  return {{"svg", size ? picture.finish(*size, size->width) : ""}};
+}
+
+Json export_json(LiveScene& scene, const std::string& kind) {
   const results::StoredShape shape = scene.shape();
-  const std::string bytes =
-      kind == "hdf" ? formats::read_whole(shape.result.path).value_or("") : pictures::view_page({&shape}, 1);
+  std::string bytes;
+  if (kind == "hdf") {
+    bytes = formats::read_whole(shape.result.path).value_or("");
+  } else if (kind == "html") {
+    bytes = pictures::view_page({&shape}, 1);
+  } else if (kind == "pdf") {
+    pictures::PdfPicture picture;
+    const auto size = scene.draw_plan(picture);
+    if (!size) throw Refused("there is no plan, or it has errors");
+    bytes = picture.finish(*size);
+  } else {
+    throw WrongRequest("\"as\" has to be \"hdf\", \"html\" or \"pdf\"");
+  }
   return {{"name", std::filesystem::path(shape.result.path).stem().string() + "." + kind},
           {"base64", pictures::base64(pictures::bytes_of(bytes))}};
 }

@@ -11,12 +11,18 @@ namespace netloft::design {
 /// Refused if there is no equilibrium.
 Json picture_json(const LiveScene& scene);
 
+/// Figures and picture of a gear that stands beside the design.
+Json beside_json(const results::StoredShape& shape);
+
+/// The plan of the last text as SVG; empty without a plan, or if it has errors.
+Json plan_json(LiveScene& scene);
+
 /// Figures, and the tables of the report as HTML.
 Json report_json(const LiveScene& scene);
 
-/// The last equilibrium as a file for others: `kind` is "hdf", the result, or "html", a page with its report
-/// and picture. Throws Refused.
-Json export_json(const LiveScene& scene, const std::string& kind);
+/// The design as a file for others: `kind` is "hdf", the result of the last equilibrium, "html", a page with
+/// its report and picture, or "pdf", the plan of the last text. Throws Refused.
+Json export_json(LiveScene& scene, const std::string& kind);
 
 /// The numbers on which a figure depends, sorted by the effect of a change by one percent, and the numbers
 /// without derivatives, with the reasons. Throws formats::Interrupted.

@@ -40,16 +40,6 @@ std::string variant_text(const fs::path& scene) {
          formats::spell_in_file({{}, scene.lexically_normal().string()}) + "]\n";
 }
 
-/// The first error, as a sentence with its place and cure.
-std::string first_error_of(const formats::Diagnostics& diagnostics) {
-  for (const formats::Diagnostic& one : diagnostics.sorted())
-    if (one.severity == formats::Severity::error) {
-      const std::string where = diagnostics.where(one.place);
-      return (where.empty() ? "" : where + ": ") + one.message + (one.hint.empty() ? "" : "; " + one.hint);
-    }
-  return {};
-}
-
 void require_no_errors(const formats::Diagnostics& diagnostics, const std::string& before) {
   if (diagnostics.errors()) throw Refused(before + first_error_of(diagnostics));
 }
@@ -71,6 +61,15 @@ bool is_plain_name(const std::string& name) {
 }
 
 }  // namespace
+
+std::string first_error_of(const formats::Diagnostics& diagnostics) {
+  for (const formats::Diagnostic& one : diagnostics.sorted())
+    if (one.severity == formats::Severity::error) {
+      const std::string where = diagnostics.where(one.place);
+      return (where.empty() ? "" : where + ": ") + one.message + (one.hint.empty() ? "" : "; " + one.hint);
+    }
+  return {};
+}
 
 SceneTexts::SceneTexts(const fs::path& scene, const fs::path& library) : file_(scene.lexically_normal()) {
   const auto text = formats::read_whole(scene);

@@ -16,6 +16,9 @@ struct Refused : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
+/// The first error, as a sentence with its place and cure; empty if there is none.
+std::string first_error_of(const formats::Diagnostics& diagnostics);
+
 /// A replacement of characters in a file.
 struct Edit {
   std::string file;           // name as in formats::Document::files()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Makes the fixed parts of a page texts in the program, and the policy with which a browser runs only these
 # scripts.
-set(classes dom numbers decode cells scale camera shaders geometry model ground places fields picking solids dimensions selection legend plan frames curves parts
+set(classes dom numbers decode cells scale camera shaders geometry model ground places fields picking solids dimensions selection legend plan frames curves parts panes
     input controls viewer)
 
 # in_base64(OUT HEX) converts a hexadecimal checksum of CMake to base64 for a Content-Security-Policy.

@@ -45,6 +45,10 @@ Command<DesignOptions> add_design_command(CLI::App& app, Chosen& chosen, const c
                   "net plan or scene; a file of the library is opened as a copy that can be changed")
       ->required()
       ->type_name("FILE.toml");
+  as_word(
+      design.add_option("--beside", o.beside,
+                        "another gear, scene or result, which is shown beside this one and compared with it"),
+      "FILE");
   design.add_option("--port", o.port, "port of 127.0.0.1; default: any free one")
       ->check(CLI::Range(1, 65535));
   design.add_flag("--as-solver", o.as_solver)->group("");  // for the process that a design starts itself

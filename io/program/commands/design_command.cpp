@@ -88,7 +88,9 @@ int serve(const DesignOptions& options, bool ends_with_page) {
                         const design::OnProgress& on_progress) {
     return solver.answer(name, body, interrupt, on_progress);
   };
-  design::Session session(options.scene, library_folder(), call);
+  if (!options.beside.empty() && !std::filesystem::exists(options.beside))
+    throw formats::ReadError(options.beside + " does not exist");
+  design::Session session(options.scene, library_folder(), call, options.beside);
   design::DesignServer server(session, options.port);
   print_address(server.address(), options.json);
   if (ends_with_page) {

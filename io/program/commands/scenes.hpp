@@ -17,6 +17,7 @@ struct RunOptions : MethodOptions {
 
 struct DesignOptions : SceneOptions {  // `scene` is GEAR_OR_SCENE
   int port = 0;                        // option --port; 0: any free one
+  std::string beside;                  // option --beside: a gear or result to compare with
   bool no_browser = false;             // option --no-browser
   bool as_solver = false;              // hidden option --as-solver: answers a design on standard streams
 };

@@ -22,13 +22,15 @@ SCENE = "gear-library/scenes/83-112-flume-3.0kn.toml"
 class Served:
     """A program that serves a scene of the library, or one with this text, in a separate folder."""
 
-    def __init__(self, scene=SCENE, command="serve", text=None, words=()):
+    def __init__(self, scene=SCENE, command="serve", text=None, words=(), more=()):
         self.keeper = tempfile.TemporaryDirectory()
         self.folder = Path(self.keeper.name)
         self.code = 0
         (self.folder / "gear-library").symlink_to(SOURCE / "gear-library")
         if text is not None:
             (self.folder / scene).write_text(text)
+        for name, content in dict(more).items():
+            (self.folder / name).write_text(content)
         self.process = subprocess.Popen([PROGRAM, command, scene, "--json", "--threads", "1", *words], cwd=self.folder, stdout=subprocess.PIPE,
                                         stderr=subprocess.PIPE, text=True)
         self.address = json.loads(self.process.stdout.readline())["address"]
@@ -95,7 +97,7 @@ class Examples(unittest.TestCase):
             self.assertEqual(status, 200, f"{name} {body}: {answer}")
         status, answer = served.ask("frobnicate")
         self.assertEqual(status, 400)
-        for name in ("state", "apply", "undo", "redo", "save", "check", "solve", "run", "stop", "jvp", "picture", "plan", "report", "catalogue", "export", "errors", "influences", "sweep", "reach", "range"):
+        for name in ("state", "apply", "undo", "redo", "save", "check", "solve", "run", "stop", "jvp", "picture", "plan", "report", "catalogue", "export", "errors", "beside", "influences", "sweep", "reach", "range"):
             self.assertIn(name, asked)
 
     def test_save_and_undo_keep_texts_to_the_byte(self):
@@ -132,6 +134,27 @@ class Examples(unittest.TestCase):
         for name, value in figures.items():
             self.assertEqual(shown[name], value, name)
 
+    def test_another_gear_or_the_start_stands_beside(self):
+        text = f"include = [\"{SOURCE / SCENE}\"]\n[gear]\nnodes = 150\n"
+        served = Served("own.toml", text=text, words=("--beside", "slow.toml"), more={"slow.toml": text + "[tow]\nspeed = \"2.5 kn\"\n"})
+        self.addCleanup(served.end, self)
+        self.assertEqual(served.ask("state")[1]["beside"], "slow.toml")
+        first = served.ask("solve")[1]["figures"]
+        values = lambda figures: {f["name"]: f["value"] for f in figures}
+        slow = served.ask("beside", file="slow.toml")[1]
+        self.assertGreater(values(slow["figures"])["mouth/headline_height"], values(first)["mouth/headline_height"])
+        self.assertEqual(len(slow["picture"]["results"]), 1)
+        served.ask("apply", path="tow.speed", to=2.5, wait=True)
+        now = served.ask("run")[1]["figures"]
+        self.assertEqual(values(served.ask("beside", of="now")[1]["figures"]), values(now))
+        self.assertEqual(values(now), values(slow["figures"]))  # both as a run finds them
+        self.assertEqual(values(served.ask("beside", of="start")[1]["figures"]), values(first))
+        self.assertEqual(served.ask("beside", of="end")[0], 400)
+        for wrong, sentence in (("none.toml", "none.toml"), ("own.hdf", "own.hdf")):
+            status, answer = served.ask("beside", file=wrong)
+            self.assertEqual(status, 422)
+            self.assertIn(sentence, answer["error"])
+
     def test_the_page_comes_with_a_policy_that_lets_nothing_else_in(self):
         served = Served(command="design")
         self.addCleanup(served.end, self)
@@ -142,6 +165,25 @@ class Examples(unittest.TestCase):
         self.assertNotIn(b"http://", page.replace(b"http://www.w3.org", b"").split(b"</style>")[0])
         self.assertIsNone(reply.headers["Access-Control-Allow-Origin"])
         self.assertNotIn(nonce, served.request("GET", f"/{served.token}/")[0].headers["Content-Security-Policy"])
+
+
+class Browsers(unittest.TestCase):
+    def test_are_opened_by_the_desktop_with_the_address_that_is_printed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            stub, opened = Path(folder) / "xdg-open", Path(folder) / "opened"
+            stub.write_text(f'#!/bin/sh\necho "$@" > "{opened}.new" && mv "{opened}.new" "{opened}"\n')
+            stub.chmod(0o755)
+            design = subprocess.Popen([PROGRAM, "design", SOURCE / SCENE, "--threads", "1"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                      env={**os.environ, "PATH": f"{folder}:{os.environ['PATH']}", "DISPLAY": ":99"})
+            address = design.stdout.readline()
+            for _ in range(500):
+                if opened.exists():
+                    break
+                time.sleep(0.02)
+            design.send_signal(signal.SIGINT)
+            design.communicate(timeout=30)
+            self.assertEqual(opened.read_text(), address)
+            self.assertRegex(address, r"^http://127\.0\.0\.1:\d+/\w+/$")
 
 
 class Solvers(unittest.TestCase):

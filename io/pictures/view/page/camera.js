@@ -28,21 +28,22 @@ class OrbitCamera {
     this.width = Math.max(1, width);
     this.height = Math.max(1, height);
   }
-  /** All points fill the window but for a margin [pixels] on each side: {left, right, top, bottom}. */
-  fit(points, margin) {
+  /** All points fill the window but for a margin [pixels] on each side: {left, right, top, bottom}. Returns the scale. */
+  fit(points, margin, most = Infinity) {
     const {right, up, eye} = this.axes(), lo = [Infinity, Infinity, Infinity], hi = [-Infinity, -Infinity, -Infinity];
     for (const p of points)
       [right, up, eye].forEach((axis, i) => {
         const at = dot3(p, axis);
         lo[i] = Math.min(lo[i], at); hi[i] = Math.max(hi[i], at);
       });
-    if (lo[0] > hi[0]) return;
+    if (lo[0] > hi[0]) return this.pixelsPerMetre;
     const width = Math.max(50, this.width - margin.left - margin.right), height = Math.max(50, this.height - margin.top - margin.bottom);
-    this.pixelsPerMetre = Math.min(width / Math.max(hi[0] - lo[0], 1e-3), height / Math.max(hi[1] - lo[1], 1e-3));
+    this.pixelsPerMetre = Math.min(most, width / Math.max(hi[0] - lo[0], 1e-3), height / Math.max(hi[1] - lo[1], 1e-3));
     const middle = [0, 1, 2].map((i) => (lo[i] + hi[i]) / 2);
     middle[0] -= (margin.left - margin.right) / 2 / this.pixelsPerMetre;
     middle[1] += (margin.top - margin.bottom) / 2 / this.pixelsPerMetre;
     this.target = [0, 1, 2].map((i) => middle[0] * right[i] + middle[1] * up[i] + middle[2] * eye[i]);
+    return this.pixelsPerMetre;
   }
   turn(dx, dy) {
     this.azimuth -= dx;

@@ -24,8 +24,12 @@ function connectControls(viewer) {
   });
 }
 
-function connectColours(viewer) {
+function listFields(viewer) {
   $('field').replaceChildren(...viewer.fields.choices.map((f) => element('option', {value: f.name}, f.label)));
+}
+
+function connectColours(viewer) {
+  listFields(viewer);
   $('field').addEventListener('change', () => viewer.setField($('field').value));
   for (const id of ['log', 'by-element']) $(id).addEventListener('change', () => viewer.repaint());
 }
@@ -43,11 +47,16 @@ function connectSection(viewer) {
   $('cut').addEventListener('input', cut);
 }
 
-function connectOverlay(viewer) {
+/** How two results are shown. */
+function listResults(viewer) {
   $('overlay-row').hidden = !viewer.second;
-  if (!viewer.second) return;
-  $('overlay').replaceChildren(element('option', {value: 'both'}, 'both, the second in grey'), ...viewer.results.map((r, i) => element('option', {value: String(i)}, r.varied || r.file)));
-  $('overlay').addEventListener('change', () => { viewer.applyVisibility(); viewer.draw(); });
+  const ways = [['both', 'both, the second in grey'], ['beside', 'beside each other'], ...viewer.results.map((r, i) => [String(i), r.varied || r.file])];
+  $('overlay').replaceChildren(...(viewer.second ? ways : []).map(([value, text]) => element('option', {value}, text)));
+}
+
+function connectOverlay(viewer) {
+  listResults(viewer);
+  $('overlay').addEventListener('change', () => { viewer.applyVisibility(); viewer.resize(); viewer.fit(); });
 }
 
 /** The picture as it is on the screen, with legend, dimensions and scale, as a PNG file. */
@@ -57,7 +66,7 @@ async function savePicture(viewer) {
   g.drawImage(viewer.canvas, 0, 0);
   g.scale(ratio, ratio);
   const stage = $('stage').getBoundingClientRect();
-  for (const svg of $('stage').querySelectorAll('svg')) {
+  for (const svg of document.querySelectorAll('#stage > svg, #legend svg, #scale svg')) {
     const box = svg.getBoundingClientRect();
     await drawSvg(g, svg, box.left - stage.left, box.top - stage.top, box.width, box.height);
   }

@@ -24,6 +24,9 @@ class Fields {
 
   find(name) { return this.choices.find((f) => f.name === name) || this.choices[0]; }
 
+  /** Whether its values compare the cells of the first result with those of the second. */
+  isOfPairs(field) { return field.name === BY_MOVE || Boolean(field.of); }
+
   /** Values by cell of a model; null: by part. */
   values(field, model) {
     if (field.name === BY_PART) return null;

@@ -24,7 +24,8 @@ function listenToPointer(viewer) {
   canvas.addEventListener('contextmenu', (event) => event.preventDefault());
   canvas.addEventListener('wheel', (event) => {
     event.preventDefault();
-    camera.zoom(Math.exp(-0.0015 * event.deltaY), ...at(event));
+    const [x, y] = at(event);
+    camera.zoom(Math.exp(-0.0015 * event.deltaY), x - viewer.panes.at(x).left, y);
     viewer.isTouched = true;
     viewer.draw();
   }, {passive: false});

@@ -165,7 +165,7 @@ class PlanDrawing {
   }
 
   mark(g, hit) {
-    if (!hit || hit.kind !== 'netting' || !this.isKnown(hit.index)) return;
+    if (!hit || paneOf(hit) || hit.kind !== 'netting' || !this.isKnown(hit.index)) return;
     this.trace(g, hit.index);
     g.lineWidth = 2;
     g.strokeStyle = styleColour('--mark');

@@ -6,6 +6,9 @@ function placeOfHit(model, hit) {
   return [0, 1, 2].map((d) => hit.nodes.reduce((sum, n, i) => sum + hit.weights[i] * model.at(n, hit.mirrored)[d], 0));
 }
 
+/** The pane in which it was selected. */
+const paneOf = (hit) => (hit && hit.pane) || 0;
+
 /** Rows of name and value. */
 function describeHit(model, hit) {
   const {result} = model, part = result.parts[hit.part], rows = [['part', part.name], ['type', part.type]];
@@ -54,13 +57,16 @@ class Selection {
     Object.assign(this, {viewer, box, hit: null, before: null});
   }
 
+  /** The gear to which the selection belongs. */
+  get model() { return paneOf(this.hit) ? this.viewer.models[paneOf(this.hit)] : this.viewer.model; }
+
   /** `measures`: the distance from what was selected before is wanted. */
   set(hit, measures = false) {
-    this.before = hit && measures ? this.hit : null;
+    this.before = hit && measures && paneOf(hit) === paneOf(this.hit) ? this.hit : null;
     this.hit = hit;
     this.describe();
     this.viewer.draw();
-    this.viewer.canvas.dispatchEvent(new CustomEvent('selected', {detail: hit && this.viewer.result.parts[hit.part].name}));
+    this.viewer.canvas.dispatchEvent(new CustomEvent('selected', {detail: hit && this.model.result.parts[hit.part].name}));
   }
 
   /** The next element that is shown, whatever its kind, for those who have no pointer. */
@@ -91,14 +97,14 @@ class Selection {
   }
 
   distance() {
-    const [a, b] = [this.before, this.hit].map((hit) => placeOfHit(this.viewer.model, hit));
+    const [a, b] = [this.before, this.hit].map((hit) => placeOfHit(this.model, hit));
     return Math.hypot(...a.map((v, d) => v - b[d]));
   }
 
   describe() {
     this.box.replaceChildren();
     if (!this.hit) { this.box.textContent = NOTHING_SELECTED; return; }
-    const list = element('dl'), rows = describeHit(this.viewer.model, this.hit);
+    const list = element('dl'), rows = describeHit(this.model, this.hit);
     if (this.before) rows.unshift(['distance', `${formatNumber(this.distance())} m from the place before`]);
     for (const [name, value] of rows) list.append(element('dt', {}, name), element('dd', {}, value));
     this.box.append(list);
@@ -106,7 +112,7 @@ class Selection {
 
   drawMarks(svg, camera) {
     if (!this.hit) return;
-    const {model} = this.viewer, corners = this.hit.nodes.map((n) => camera.project(model.at(n, this.hit.mirrored)));
+    const {model} = this, corners = this.hit.nodes.map((n) => camera.project(model.at(n, this.hit.mirrored)));
     svg.append(svgElement('path', {d: corners.map((c, i) => `${i ? 'L' : 'M'}${c[0]} ${c[1]}`).join('') + 'Z', class: 'selected'}));
     const at = camera.project(placeOfHit(model, this.hit));
     svg.append(svgElement('circle', {cx: at[0], cy: at[1], r: 7, class: 'selected'}));

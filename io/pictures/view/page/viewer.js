@@ -27,6 +27,7 @@ class Viewer {
     this.scene.add(...this.models.map((m) => m.group));
     this.frames = new Frames(this, results);
     this.fields = new Fields(this.models);
+    this.panes = new Panes(this);
     this.selection = new Selection(this, $('selection'));
   }
 
@@ -36,7 +37,7 @@ class Viewer {
 
   async start() {
     await this.moveTo(this.frames.index);
-    this.ground = new Ground(this.model, this.shared, this.scene);
+    this.makeGrounds();
     this.plan = new PlanDrawing($('plan'), this);
     $('plan-box').hidden = this.plan.isEmpty;
     this.parts = new PartList(this, $('parts'));
@@ -54,23 +55,31 @@ class Viewer {
 
   // ---- what is shown
 
-  /** Shows another result in the place of the only one: the gear, its colours and its parts; the camera stays. */
-  async replace(result) {
-    const [old] = this.models, model = new GearModel(result, this.shared, this.colours);
-    this.results[0] = result;
-    this.models[0] = model;
-    old.result.parts.forEach((part, i) => { if (!part.contact && !old.shown[i]) model.showPart(part.name, false); });
-    await this.moveTo(0);
-    this.scene.add(model.group);
-    old.dispose();
-    this.ground.dispose();
-    this.ground = new Ground(model, this.shared, this.scene);
+  /** Shows other results of one state, one or two, in the place of those before. The camera and the field stay, and what is hidden. */
+  async replace(results) {
+    const states = await Promise.all(results.map((result) => decodeState(result, 0)));
+    const old = [...this.models], counts = [old[0].result.nCells, results[0].nCells], more = results.length !== old.length;
+    const models = results.map((result, i) => (old[i] && old[i].result === result ? old[i] : new GearModel(result, this.shared, this.colours)));
+    old[0].result.parts.forEach((part, i) => { if (!part.contact && !old[0].shown[i]) models.forEach((model) => model.showPart(part.name, false)); });
+    this.results.splice(0, old.length, ...results);
+    this.models.splice(0, old.length, ...models);
+    this.place(0, states);
+    this.scene.add(...models.map((m) => m.group));
+    for (const model of old.filter((m) => !models.includes(m))) { this.plan.sheets.delete(model); model.dispose(); }
     this.fields = new Fields(this.models);
+    this.makeGrounds();
     this.parts = new PartList(this, $('parts'));
-    this.plan.sheets.delete(old);
-    if (result.nCells !== old.result.nCells) this.selection.set(null); else this.selection.describe();
+    if (more) { listFields(this); listResults(this); this.resize(); }
+    this.applyVisibility();
+    if (counts[0] !== counts[1] || more) this.selection.set(null); else this.selection.describe();
     this.setField(this.field.name);
-    if (!this.isTouched) this.fit();
+    if (!this.isTouched || more) this.fit();
+  }
+
+  /** The bed and the surface of each gear that is shown in a pane of its own. */
+  makeGrounds() {
+    for (const ground of this.grounds || []) ground.dispose();
+    this.grounds = (this.second ? this.models : [this.model]).map((model) => new Ground(model, this.shared, this.scene));
   }
 
   /** Puts the nodes elsewhere, in metres, and leaves the colours as they are. */
@@ -81,7 +90,10 @@ class Viewer {
   }
 
   async moveTo(index) {
-    const states = await Promise.all(this.frames.statesAt(index).map((state, i) => decodeState(this.results[i], state)));
+    this.place(index, await Promise.all(this.frames.statesAt(index).map((state, i) => decodeState(this.results[i], state))));
+  }
+
+  place(index, states) {
     this.frames.index = index;
     this.models.forEach((model, i) => { Object.assign(model, {state: states[i], stateIndex: this.frames.statesAt(index)[i]}); model.move(states[i].points); });
   }
@@ -101,7 +113,7 @@ class Viewer {
     const mode = this.second ? $('overlay').value : 'one';
     this.models.forEach((model, i) => {
       model.group.visible = this.frames.isSweep ? i === this.frames.current.model : !this.second || mode === 'both' || mode === String(i);
-      model.uniforms.usePlain.value = this.second && mode === 'both' && i === 1 ? 1 : 0;
+      model.uniforms.usePlain.value = i === 1 && (mode === 'both' || (mode === 'beside' && this.field && this.fields.isOfPairs(this.field))) ? 1 : 0;
     });
   }
 
@@ -126,6 +138,7 @@ class Viewer {
       else shared.range.value.set(scale ? scale.lo : 0, scale ? scale.hi : 1);
     });
     drawLegend($('legend'), this.colours, this.field, this.scales);
+    if (this.panes.areTwo) this.applyVisibility();
     this.redraw();
   }
 
@@ -143,17 +156,10 @@ class Viewer {
     this.fit();
   }
 
-  /** The gear fills the window, beside or below the legend where that would cover it, and does so until somebody moves it. */
+  /** The gear fills the window, and does so until somebody moves it. */
   fit() {
     this.isTouched = false;
-    const points = [...this.model.places($('extent').value)], {offsetLeft, offsetTop, offsetWidth, offsetHeight} = $('legend');
-    const [right, bottom] = [offsetLeft + offsetWidth, offsetTop + offsetHeight];
-    this.camera.fit(points, MARGIN);
-    if (points.some((p) => { const [x, y] = this.camera.project(p); return x < right && y < bottom; })) {
-      const margins = [{...MARGIN, left: right + GAP}, {...MARGIN, top: bottom + GAP}];
-      const [beside, below] = margins.map((margin) => { this.camera.fit(points, margin); return this.camera.pixelsPerMetre; });
-      if (beside > below) this.camera.fit(points, margins[0]);
-    }
+    this.panes.fit($('extent').value, $('legend'));
     this.draw();
   }
 
@@ -163,7 +169,7 @@ class Viewer {
     const box = $('stage').getBoundingClientRect();
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.renderer.setSize(Math.max(1, box.width), Math.max(1, box.height), false);
-    this.camera.resize(box.width, box.height);
+    this.panes.resize(box);
   }
 
   /** Paper has its own size, and a light ground. */
@@ -190,21 +196,30 @@ class Viewer {
   }
 
   drawNow() {
-    this.camera.apply();
     const axes = this.camera.axes(), {pixelsPerMetre, eye, right, up} = this.shared.common, over = $('dimensions');
     pixelsPerMetre.value = this.camera.pixelsPerMetre * this.renderer.getPixelRatio();
     eye.value.set(...axes.eye); right.value.set(...axes.right); up.value.set(...axes.up);
-    for (const name of ['bed', 'surface']) this.ground.show(name, $(name).checked);
     this.renderer.setClearColor(new L.Color(styleColour('--water')), 1);
-    this.renderer.render(this.scene, this.camera.camera);
-    drawScaleBar($('scale'), this.camera.pixelsPerMetre, this.camera.width);
+    this.renderer.setScissorTest(this.panes.areTwo);
     over.replaceChildren();
-    if ($('measures').checked) drawDimensions(over, this.model, this.camera);
-    this.ground.drawEdges(over, this.camera);
-    if (!this.result.answer && !this.frames.isSweep) drawWorst(over, this.model, this.camera);
-    if ($('holds').checked) drawHolds(over, this.model, this.camera, 90);
-    this.selection.drawMarks(over, this.camera);
+    for (const pane of this.panes.list) this.panes.within(pane, () => this.drawPane(pane, this.panes.over(over, pane)));
+    drawScaleBar($('scale'), this.camera.pixelsPerMetre, this.camera.width);
     if (this.isPlanOld || this.markedOnPlan !== this.selection.hit) this.drawPlan();
+  }
+
+  drawPane({index, model, left, width}, over) {
+    const {areTwo, height} = this.panes, box = [left, 0, width, height];
+    this.camera.apply();
+    this.renderer.setViewport(...box);
+    this.renderer.setScissor(...box);
+    if (areTwo) this.models.forEach((m) => { m.group.visible = m === model; });
+    this.grounds.forEach((ground, i) => { for (const name of ['bed', 'surface']) ground.show(name, $(name).checked && i === index); });
+    this.renderer.render(this.scene, this.camera.camera);
+    if ($('measures').checked) drawDimensions(over, model, this.camera);
+    this.grounds[index].drawEdges(over, this.camera);
+    if (!model.result.answer && !this.frames.isSweep) drawWorst(over, model, this.camera);
+    if ($('holds').checked) drawHolds(over, model, this.camera, 90);
+    if (!areTwo || index === paneOf(this.selection.hit)) this.selection.drawMarks(over, this.camera);
   }
 
   drawPlan() {
@@ -214,7 +229,8 @@ class Viewer {
   }
 
   pickAt(x, y) {
-    const {x: a, y: b, z: c, w} = this.shared.common.section.value;
-    return pick(this.model, this.camera, x, y, (p) => a * p[0] + b * p[1] + c * p[2] > w);
+    const {x: a, y: b, z: c, w} = this.shared.common.section.value, pane = this.panes.at(x);
+    const hit = this.panes.within(pane, () => pick(pane.model, this.camera, x - pane.left, y, (p) => a * p[0] + b * p[1] + c * p[2] > w));
+    return hit && {...hit, pane: pane.index};
   }
 }
