@@ -59,6 +59,8 @@ class Factorisation {
 
   /// Solves with the last successful factor; `rhs` and `x` have `size` entries and may be the same array.
   virtual void solve(std::span<const double> rhs, std::span<double> x) = 0;
+  /// The same with the transposed matrix.
+  virtual void solve_transposed(std::span<const double> rhs, std::span<double> x) = 0;
 
   /// Non-zeros of the factor and floating-point operations of one factorisation; 0 if unknown.
   virtual double factor_entries() const { return 0; }

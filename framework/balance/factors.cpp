@@ -43,4 +43,12 @@ bool Factors::solve(std::span<const double> rhs, std::span<double> x) {
   return true;
 }
 
+bool Factors::solve_transposed(std::span<const double> rhs, std::span<double> x) {
+  if (!last_ || result_.status != FactorStatus::ok) return false;
+  Timed timed(statistics_.solve_seconds);
+  ++statistics_.solves;
+  last_->solve_transposed(rhs, x);
+  return true;
+}
+
 }  // namespace netloft

@@ -24,6 +24,8 @@ class Factors {
                            std::span<const double> values);
   /// Solves with the last factor. Returns false and leaves x unchanged if no factor exists.
   bool solve(std::span<const double> rhs, std::span<double> x);
+  /// The same with the transposed matrix.
+  bool solve_transposed(std::span<const double> rhs, std::span<double> x);
   void forget() { last_ = nullptr; }
   /// Creates factorisations of other patterns.
   const MakeFactorisation& make() const { return make_; }

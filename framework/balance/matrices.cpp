@@ -77,6 +77,15 @@ bool Matrices::multiply(int matrix, double shift, const double* x, double* y) {
   return true;
 }
 
+bool Matrices::multiply_transposed(int matrix, const double* x, double* y) {
+  const SparsePattern& pattern = assembler_.pattern();
+  const auto v = shifted(matrix, 0);
+  if (v.empty() && pattern.size > 0) return false;
+  std::fill_n(y, pattern.size, 0.0);
+  for_matrix(pattern, v, [&](std::size_t r, std::size_t c, double a) { y[c] += a * x[r]; });
+  return true;
+}
+
 bool Matrices::row_sums(int matrix, double shift, double* y) {
   const SparsePattern& pattern = assembler_.pattern();
   const auto v = shifted(matrix, shift);

@@ -30,6 +30,8 @@ class Matrices {
   std::span<const double> between(double blend, double shift);
   /// Computes y = (A + σ M) x. Returns false if A has not been evaluated.
   bool multiply(int matrix, double shift, const double* x, double* y);
+  /// Computes y = Aᵀ x. Returns false if A has not been evaluated.
+  bool multiply_transposed(int matrix, const double* x, double* y);
   /// Computes y[i] = sum of the absolute values in row i of A + σ M. Returns false if A has not been
   /// evaluated.
   bool row_sums(int matrix, double shift, double* y);

@@ -20,13 +20,15 @@ double node_distance(const Numbering& numbering, std::uint32_t node, std::span<c
 
 }  // namespace
 
+bool factorise_tangent(StaticProblem& problem, std::span<const double> u) {
+  netloft_problem& p = problem.interface();
+  return p.evaluate(p.host, NETLOFT_WANT_TANGENT, u.data(), nullptr, nullptr) == NETLOFT_OK &&
+         p.factorise(p.host, NETLOFT_EXACT | NETLOFT_INDEFINITE, 0) == NETLOFT_FACTOR_OK;
+}
+
 bool find_correction(StaticProblem& problem, std::span<const double> u, std::span<const double> residual,
                      std::span<double> du) {
-  netloft_problem& p = problem.interface();
-  if (p.evaluate(p.host, NETLOFT_WANT_TANGENT, u.data(), nullptr, nullptr) != NETLOFT_OK ||
-      p.factorise(p.host, NETLOFT_EXACT | NETLOFT_INDEFINITE, 0) != NETLOFT_FACTOR_OK)
-    return false;
-  return solve_for_correction(problem, residual, du);
+  return factorise_tangent(problem, u) && solve_for_correction(problem, residual, du);
 }
 
 bool solve_for_correction(StaticProblem& problem, std::span<const double> residual, std::span<double> du) {

@@ -14,6 +14,9 @@ namespace netloft {
 bool find_correction(StaticProblem& problem, std::span<const double> u, std::span<const double> residual,
                      std::span<double> du);
 
+/// Evaluates and factorises K at u. Returns false if K has no factor.
+bool factorise_tangent(StaticProblem& problem, std::span<const double> u);
+
 /// Solves (1) with the last factor of the problem, which must be that of K(u). Returns false if no factor
 /// exists or du is not finite.
 bool solve_for_correction(StaticProblem& problem, std::span<const double> residual, std::span<double> du);

@@ -3,6 +3,8 @@
 
 #include "framework/judging/correction.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -63,12 +65,34 @@ std::optional<std::vector<double>> Tangent::residual_at(PreparedScene& scene, co
 bool Tangent::solve(std::vector<double> imbalance, std::vector<double>& du) {
   imbalance.resize(u_.size());
   du.resize(u_.size());
-  if (factor_ == Factor::failed) return false;
-  const bool is_solved = factor_ == Factor::none ? find_correction(problem_, u_, imbalance, du)
-                                                 : solve_for_correction(problem_, imbalance, du);
-  factor_ = is_solved ? Factor::ready : Factor::failed;
-  return is_solved;
+  return has_factor() && solve_for_correction(problem_, imbalance, du);
 }
+
+/// Factorises K at the first call. Returns false if that is not possible.
+bool Tangent::has_factor() {
+  if (factor_ == Factor::none) factor_ = factorise_tangent(problem_, u_) ? Factor::ready : Factor::failed;
+  return factor_ == Factor::ready;
+}
+
+/// Solves K y = rhs or Kᵀ y = rhs, with one step of iterative refinement.
+std::optional<std::vector<double>> Tangent::refined(const std::vector<double>& rhs, bool transposed) {
+  if (!has_factor()) return std::nullopt;
+  std::vector<double> y(u_.size()), rest = rhs, product(u_.size());
+  for (int pass = 0; pass < 2; ++pass) {
+    transposed ? problem_.factors().solve_transposed(rest, rest) : problem_.factors().solve(rest, rest);
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] += rest[i];
+    Matrices& K = problem_.matrices();
+    transposed ? K.multiply_transposed(NETLOFT_EXACT, y.data(), product.data())
+               : K.multiply(NETLOFT_EXACT, 0, y.data(), product.data());
+    for (std::size_t i = 0; i < y.size(); ++i) rest[i] = rhs[i] - product[i];
+  }
+  const bool is_finite = std::ranges::all_of(y, [](double value) { return std::isfinite(value); });
+  return is_finite ? std::optional(std::move(y)) : std::nullopt;
+}
+
+std::optional<std::vector<double>> Tangent::solved(const std::vector<double>& b) { return refined(b, false); }
+
+std::optional<std::vector<double>> Tangent::adjoint(const std::vector<double>& w) { return refined(w, true); }
 
 ExactPlace moved(const ExactPlace& from, const std::vector<double>& dx, double times) {
   ExactPlace to = from;
@@ -164,14 +188,14 @@ std::optional<std::vector<double>> Tangent::stiffness_change(PreparedScene& near
                                                              const std::vector<double>& du) {
   std::vector<double> change(du.size()), here(du.size());
   Assembler& assembler = near.assembler();
-  Matrices matrices(assembler, spent_);
+  Matrices& matrices = problem_.matrices();
   ++spent_.matrices;
   const auto x = placed(assembler, assembler.displacements_to(moved({x_, {}}, dx, fraction).x));
-  netloft_problem& p = problem_.interface();
-  if (!assembler.evaluate(
-          x, {.matrix = MatrixKind::exact, .values = matrices.slots(MatrixKind::exact).data()}) ||
-      !matrices.multiply(NETLOFT_EXACT, 0, du.data(), change.data()) ||
-      p.multiply(p.host, NETLOFT_EXACT, 0, du.data(), here.data()) != NETLOFT_OK)
+  // The tangent of `near` takes the place of the convex matrix, which this problem does not use.
+  double* const values = matrices.slots(MatrixKind::convex).data();
+  if (!assembler.evaluate(x, {.matrix = MatrixKind::exact, .values = values}) ||
+      !matrices.multiply(NETLOFT_CONVEX, 0, du.data(), change.data()) ||
+      !matrices.multiply(NETLOFT_EXACT, 0, du.data(), here.data()))
     return std::nullopt;
   for (std::size_t i = 0; i < change.size(); ++i) change[i] = (change[i] - here[i]) / fraction;
   return change;

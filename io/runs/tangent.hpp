@@ -43,6 +43,18 @@ class Tangent {
   /// as for towards().
   std::optional<std::vector<double>> corrected(PreparedScene& near, const std::vector<double>& y);
 
+  /// The displacements K⁻¹ b by which forces −b on the unknowns [N] move them, to first order. nullopt if K
+  /// cannot be factorised.
+  std::optional<std::vector<double>> solved(const std::vector<double>& b);
+  /// The adjoint variables λ of a number g at the equilibrium, for w = ∂g/∂u, the derivatives of g with
+  /// respect to the unknowns:
+  ///   Kᵀ λ = w                                                                              (5)
+  /// λ is the change of g per force on each unknown, with the opposite sign. With (1), the change of g from
+  /// the scene `before` to the scene `after` is
+  ///   dg = g_after(x) − g_before(x) − λ·(r_after(x) − r_before(x))                          (6)
+  /// for any number of changes with one solve. nullopt if K cannot be factorised.
+  std::optional<std::vector<double>> adjoint(const std::vector<double>& w);
+
   /// Relative growth of the change dx = between(before, after, theta) from one such change to the next, if dx
   /// is about to diverge at a fold; 0 if it is not. If the stiffness alone changes along dx, (1) has the
   /// second derivative
@@ -77,7 +89,9 @@ class Tangent {
   std::optional<std::vector<double>> stiffness_change(PreparedScene& near, double fraction,
                                                       const std::vector<double>& dx,
                                                       const std::vector<double>& du);
+  bool has_factor();
   bool solve(std::vector<double> imbalance, std::vector<double>& du);
+  std::optional<std::vector<double>> refined(const std::vector<double>& rhs, bool transposed);
 
   PreparedScene& scene_;
   std::vector<double> x_, u_;

@@ -372,16 +372,25 @@ NETLOFT_INLINE void forward(const FrontPanels& f, double* y) {
   }
 }
 
-/// Computes y₁ ← y₁ − U₁₂ y₂ for kColumns entries of y₁. The rows of U₁₂ᵀ are padded to a multiple of
-/// kTileRows.
+/// Computes y ← y − Aᵀ x for a matrix A of kColumns columns. `rows` is rounded up to a multiple of kTileRows.
 template <class Register, int kColumns>
-NETLOFT_INLINE void subtract_dots(const double* a, std::ptrdiff_t stride, const double* x, double* y) {
+NETLOFT_INLINE void subtract_dots(const double* a, std::ptrdiff_t stride, std::ptrdiff_t rows,
+                                  const double* x, double* y) {
   using V = typename Register::V;
   V sum[kColumns] = {};
-  for (std::ptrdiff_t i = 0; i < stride; i += Register::kLanes)
+  for (std::ptrdiff_t i = 0; i < upper_stride(rows); i += Register::kLanes)
     for (int j = 0; j < kColumns; ++j)
       sum[j] += *reinterpret_cast<const V*>(a + j * stride + i) * *reinterpret_cast<const V*>(x + i);
   for (int j = 0; j < kColumns; ++j) y[j] -= wide::sum_of(sum[j]);
+}
+
+/// The same for `columns` columns.
+template <class Register>
+NETLOFT_INLINE void subtract_all_dots(std::ptrdiff_t columns, const double* a, std::ptrdiff_t stride,
+                                      std::ptrdiff_t rows, const double* x, double* y) {
+  std::ptrdiff_t k = 0;
+  for (; k + 4 <= columns; k += 4) subtract_dots<Register, 4>(a + k * stride, stride, rows, x, y + k);
+  for (; k < columns; ++k) subtract_dots<Register, 1>(a + k * stride, stride, rows, x, y + k);
 }
 
 /// Computes y ← U⁻¹ y for an upper triangular U of `width` columns, at most kBlock, with y in registers.
@@ -411,14 +420,40 @@ NETLOFT_INLINE void solve_upper_triangle(const double* U, std::ptrdiff_t stride,
 template <class Register>
 NETLOFT_INLINE void backward(const FrontPanels& f, double* y) {
   const std::ptrdiff_t n = f.pivots, u = f.others, stride = upper_stride(u), down = left_stride(n, u);
-  std::ptrdiff_t k = 0;
   std::fill_n(y + n + u, kTileRows, 0.0);
-  for (; k + 4 <= n; k += 4) subtract_dots<Register, 4>(f.upper + k * stride, stride, y + n, y + k);
-  for (; k < n; ++k) subtract_dots<Register, 1>(f.upper + k * stride, stride, y + n, y + k);
+  subtract_all_dots<Register>(n, f.upper, stride, u, y + n, y);
   for (std::ptrdiff_t end = n, begin = 0; end > 0; end = begin) {
     begin = (end - 1) / kBlock * kBlock;
     solve_upper_triangle<Register>(f.left + begin + begin * down, down, end - begin, y + begin);
     subtract_columns<Register, 1>(begin, end - begin, f.left + begin * down, down, {y + begin, 1, 0}, y, 0);
+  }
+}
+
+template <class Register>
+NETLOFT_INLINE void forward_transposed(const FrontPanels& f, double* y) {
+  const std::ptrdiff_t n = f.pivots, down = left_stride(n, f.others);
+  for (std::ptrdiff_t begin = 0; begin < n; begin += kBlock) {
+    const std::ptrdiff_t end = std::min(begin + kBlock, n);
+    subtract_all_dots<Register>(end - begin, f.left + begin * down, down, begin, y, y + begin);
+    for (std::ptrdiff_t k = begin; k < end; ++k) {
+      const double* column = f.left + k * down;
+      for (std::ptrdiff_t i = begin; i < k; ++i) y[k] -= column[i] * y[i];
+      y[k] /= column[k];
+    }
+  }
+  subtract_columns<Register, 1>(f.others, n, f.upper, upper_stride(f.others), {y, 1, 0}, y + n, 0);
+}
+
+template <class Register>
+NETLOFT_INLINE void backward_transposed(const FrontPanels& f, double* y) {
+  const std::ptrdiff_t n = f.pivots, rows = n + f.others, down = left_stride(n, f.others);
+  std::fill_n(y + rows, kTileRows, 0.0);
+  for (std::ptrdiff_t end = n, begin = 0; end > 0; end = begin) {
+    begin = (end - 1) / kBlock * kBlock;
+    subtract_all_dots<Register>(end - begin, f.left + end + begin * down, down, rows - end, y + end,
+                                y + begin);
+    for (std::ptrdiff_t k = end - 1; k >= begin; --k)
+      for (std::ptrdiff_t i = k + 1; i < end; ++i) y[k] -= f.left[i + k * down] * y[i];
   }
 }
 
@@ -433,6 +468,12 @@ NETLOFT_INLINE void backward(const FrontPanels& f, double* y) {
     }                                                                                                        \
     __VA_ARGS__ static void forward(const FrontPanels& f, double* y) { netloft::forward<Register>(f, y); }   \
     __VA_ARGS__ static void backward(const FrontPanels& f, double* y) { netloft::backward<Register>(f, y); } \
+    __VA_ARGS__ static void forward_transposed(const FrontPanels& f, double* y) {                            \
+      netloft::forward_transposed<Register>(f, y);                                                           \
+    }                                                                                                        \
+    __VA_ARGS__ static void backward_transposed(const FrontPanels& f, double* y) {                           \
+      netloft::backward_transposed<Register>(f, y);                                                          \
+    }                                                                                                        \
     __VA_ARGS__ static Elimination eliminate_block(const FrontPanels& f, std::ptrdiff_t begin,               \
                                                    std::ptrdiff_t end, const PivotRule& rule,                \
                                                    std::int32_t* exchanged) {                                \
@@ -455,8 +496,8 @@ NETLOFT_INLINE void backward(const FrontPanels& f, double* y) {
       netloft::update<Register>(f, C, from, to);                                                             \
     }                                                                                                        \
     static constexpr FrontKernels all{                                                                       \
-        eliminate,  update,        forward,     backward,      eliminate_block,                              \
-        solve_rows, subtract_rows, solve_upper, update_columns};                                             \
+        eliminate,       update,     forward,       backward,    forward_transposed, backward_transposed,    \
+        eliminate_block, solve_rows, subtract_rows, solve_upper, update_columns};                            \
   };
 
 NETLOFT_KERNELS(Plain, Two, )

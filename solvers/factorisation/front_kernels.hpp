@@ -66,6 +66,11 @@ struct FrontKernels {
   void (*forward)(const FrontPanels& front, double* y);
   /// y₁ ← U₁₁⁻¹ (y₁ − U₁₂ y₂). The numbers after y₂ are set to zero.
   void (*backward)(const FrontPanels& front, double* y);
+  /// The same for the transposed matrix, whose factors are U and L with P after them:
+  /// y₁ ← U₁₁⁻ᵀ y₁, y₂ ← y₂ − U₁₂ᵀ y₁.
+  void (*forward_transposed)(const FrontPanels& front, double* y);
+  /// y₁ ← L₁₁⁻ᵀ (y₁ − L₂₁ᵀ y₂). The caller applies Pᵀ to y₁. The numbers after y₂ are set to zero.
+  void (*backward_transposed)(const FrontPanels& front, double* y);
 
   // The functions below compute (1) and (2) in pieces for several threads. Pieces for different ranges `from`
   // to `to` are independent. A range of rows begins at a multiple of kTileRows after the first row. The first

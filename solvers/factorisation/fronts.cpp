@@ -147,26 +147,47 @@ ChildUpdate Fronts::left_by(std::size_t child) {
   return {update_of(child).data(), front.others, {tree_->runs.data() + front.runs, next.runs - front.runs}};
 }
 
-void Fronts::forward(std::size_t front) {
+/// Calls a kernel with the unknowns of a front, and adds its results for other unknowns.
+void Fronts::pass_up(std::size_t front, void (*kernel)(const FrontPanels&, double*)) {
   const Front& f = tree_->fronts[front];
   double *own = by_place_.data() + f.first, *y = of_front_.data();
-  const std::int32_t *exchanged = exchanged_.data() + f.first, *other = tree_->other.data() + f.indices;
-  for (std::int32_t k = 0; k < f.pivots; ++k) std::swap(own[k], own[exchanged[k]]);
+  const std::int32_t* other = tree_->other.data() + f.indices;
   std::copy_n(own, f.pivots, y);
   std::fill_n(y + f.pivots, f.others, 0.0);
-  kernels_.forward(panels_of(front), y);
+  kernel(panels_of(front), y);
   std::copy_n(y, f.pivots, own);
   for (std::int32_t i = 0; i < f.others; ++i) by_place_[other[i]] += y[f.pivots + i];
 }
 
-void Fronts::backward(std::size_t front) {
+/// Calls a kernel with the unknowns of a front and the known values of other unknowns.
+void Fronts::pass_down(std::size_t front, void (*kernel)(const FrontPanels&, double*)) {
   const Front& f = tree_->fronts[front];
   double *own = by_place_.data() + f.first, *y = of_front_.data();
   const std::int32_t* other = tree_->other.data() + f.indices;
   std::copy_n(own, f.pivots, y);
   for (std::int32_t i = 0; i < f.others; ++i) y[f.pivots + i] = by_place_[other[i]];
-  kernels_.backward(panels_of(front), y);
+  kernel(panels_of(front), y);
   std::copy_n(y, f.pivots, own);
+}
+
+void Fronts::forward(std::size_t front) {
+  const Front& f = tree_->fronts[front];
+  double* own = by_place_.data() + f.first;
+  const std::int32_t* exchanged = exchanged_.data() + f.first;
+  for (std::int32_t k = 0; k < f.pivots; ++k) std::swap(own[k], own[exchanged[k]]);
+  pass_up(front, kernels_.forward);
+}
+
+void Fronts::backward(std::size_t front) { pass_down(front, kernels_.backward); }
+
+void Fronts::forward_transposed(std::size_t front) { pass_up(front, kernels_.forward_transposed); }
+
+void Fronts::backward_transposed(std::size_t front) {
+  pass_down(front, kernels_.backward_transposed);
+  const Front& f = tree_->fronts[front];
+  double* own = by_place_.data() + f.first;
+  const std::int32_t* exchanged = exchanged_.data() + f.first;
+  for (std::int32_t k = f.pivots; k-- > 0;) std::swap(own[k], own[exchanged[k]]);
 }
 
 }  // namespace netloft

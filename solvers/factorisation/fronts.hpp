@@ -47,6 +47,9 @@ class Fronts {
   /// vector by_place(). Call forward() for children before parents, backward() for parents before children.
   void forward(std::size_t front);
   void backward(std::size_t front);
+  /// The same for Uᵀ y = b and Lᵀ x = y, which solve the transposed equations.
+  void forward_transposed(std::size_t front);
+  void backward_transposed(std::size_t front);
 
  private:
   void make_room();
@@ -58,6 +61,8 @@ class Fronts {
   void keep_diagonal(std::size_t front);
   Elimination first_cancelled(std::size_t front);
   ChildUpdate left_by(std::size_t child);
+  void pass_up(std::size_t front, void (*kernel)(const FrontPanels&, double*));
+  void pass_down(std::size_t front, void (*kernel)(const FrontPanels&, double*));
 
   const FrontTree* tree_ = nullptr;
   const FrontSchedule* schedule_ = nullptr;

@@ -75,6 +75,9 @@ class LentFactorisation final : public Factorisation, public ForeseesMemory {
     return result;
   }
   void solve(std::span<const double> rhs, std::span<double> x) override { inner().solve(rhs, x); }
+  void solve_transposed(std::span<const double> rhs, std::span<double> x) override {
+    inner().solve_transposed(rhs, x);
+  }
   double factor_entries() const override { return inner().factor_entries(); }
   double factor_flops() const override { return inner().factor_flops(); }
   double factor_bytes() const override { return factor_bytes_of(inner()); }

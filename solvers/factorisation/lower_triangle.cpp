@@ -99,6 +99,7 @@ class LowerTriangleFactorisation final : public Factorisation, public ForeseesMe
     return inner_->factorise(values_);
   }
   void solve(std::span<const double> rhs, std::span<double> x) override { inner_->solve(rhs, x); }
+  void solve_transposed(std::span<const double> rhs, std::span<double> x) override { solve(rhs, x); }
   double factor_entries() const override { return inner_->factor_entries(); }
   double factor_flops() const override { return inner_->factor_flops(); }
   double factor_bytes() const override { return factor_bytes_of(*inner_); }

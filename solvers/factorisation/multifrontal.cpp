@@ -37,6 +37,7 @@ class MultifrontalFactorisation final : public Factorisation, public ForeseesMem
   void analyse(const SparsePattern& pattern) override;
   FactorResult factorise(std::span<const double> values) override;
   void solve(std::span<const double> rhs, std::span<double> x) override;
+  void solve_transposed(std::span<const double> rhs, std::span<double> x) override;
   double factor_entries() const override { return tree_.entries; }
   double factor_flops() const override { return tree_.flops; }
   double factor_bytes() const override;
@@ -51,7 +52,7 @@ class MultifrontalFactorisation final : public Factorisation, public ForeseesMem
   Elimination eliminate_branches(std::size_t& failed);
   FactorResult refuse(std::size_t front, const Elimination& end);
   FactorResult hand_over();
-  void solve_alone(std::span<double> x);
+  void solve_alone(std::span<double> x, bool transposed = false);
   double find_residual(std::span<const double> x, std::span<const double> rhs);
   void check(std::span<double> x);
 
@@ -211,12 +212,26 @@ void MultifrontalFactorisation::solve(std::span<const double> rhs, std::span<dou
   if (!is_checked_) check(x);
 }
 
-void MultifrontalFactorisation::solve_alone(std::span<double> x) {
+/// The factor is checked first, with the equations that are not transposed.
+void MultifrontalFactorisation::solve_transposed(std::span<const double> rhs, std::span<double> x) {
+  assert(state_ != State::none);
+  if (pattern_->size == 0) return;
+  assert(rhs.size() == static_cast<std::size_t>(pattern_->size) && x.size() == rhs.size());
+  if (state_ == State::own && !is_checked_) {
+    solve(rhs, x);
+    rhs = rhs_;  // `x` may be `rhs`
+  }
+  if (state_ == State::spare) return spare_->solve_transposed(rhs, x);
+  if (x.data() != rhs.data()) std::copy(rhs.begin(), rhs.end(), x.begin());
+  solve_alone(x, true);
+}
+
+void MultifrontalFactorisation::solve_alone(std::span<double> x, bool transposed) {
   const std::span<double> by_place = fronts_.by_place();
   for (std::size_t k = 0; k < by_place.size(); ++k) by_place[k] = x[tree_.unknown[k]];
   const std::size_t fronts = tree_.fronts.size() - 1;
-  for (std::size_t f = 0; f < fronts; ++f) fronts_.forward(f);
-  for (std::size_t f = fronts; f-- > 0;) fronts_.backward(f);
+  for (std::size_t f = 0; f < fronts; ++f) transposed ? fronts_.forward_transposed(f) : fronts_.forward(f);
+  for (std::size_t f = fronts; f-- > 0;) transposed ? fronts_.backward_transposed(f) : fronts_.backward(f);
   for (std::size_t k = 0; k < by_place.size(); ++k) x[tree_.unknown[k]] = by_place[k];
 }
 

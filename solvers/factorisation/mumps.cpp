@@ -77,6 +77,7 @@ class MumpsFactorisation final : public Factorisation, public ForeseesMemory {
   void analyse(const SparsePattern& pattern) override;
   FactorResult factorise(std::span<const double> values) override;
   void solve(std::span<const double> rhs, std::span<double> x) override;
+  void solve_transposed(std::span<const double> rhs, std::span<double> x) override;
   double factor_entries() const override { return entries_; }
   double factor_flops() const override { return flops_; }
   /// The memory that the analysis predicts, INFOG(17) [10⁶ bytes].
@@ -212,6 +213,14 @@ void MumpsFactorisation::solve(std::span<const double> rhs, std::span<double> x)
   MumpsInstance& mumps = *mumps_;
   mumps->rhs = x.data();
   if (mumps.run(kSolve) < 0) throw std::bad_alloc();
+}
+
+void MumpsFactorisation::solve_transposed(std::span<const double> rhs, std::span<double> x) {
+  if (!mumps_) return;
+  constexpr MUMPS_INT kPlain = 1, kTransposed = 2;
+  mumps_->icntl(9) = kTransposed;
+  solve(rhs, x);
+  mumps_->icntl(9) = kPlain;
 }
 
 }  // namespace

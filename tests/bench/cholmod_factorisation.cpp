@@ -58,6 +58,8 @@ class CholmodFactorisation : public Factorisation {
     cholmod_free_dense(&found, &common_);
   }
 
+  void solve_transposed(std::span<const double> rhs, std::span<double> x) override { solve(rhs, x); }
+
   double factor_entries() const override { return common_.lnz; }
   double factor_flops() const override { return common_.fl; }
 

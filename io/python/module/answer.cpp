@@ -8,7 +8,6 @@
 #include "io/results/file/provenance.hpp"
 #include "io/results/text/plan_text.hpp"
 #include "io/runs/equilibrium.hpp"
-#include "io/runs/tangent.hpp"
 #include "io/studies/compare/mesh_error.hpp"
 
 #include <fmt/format.h>
@@ -102,19 +101,32 @@ void Answer::find_elements() {
   }
 }
 
+/// Requires a number for every unknown.
+void Answer::require_unknowns(const std::vector<double>& values, const char* what) const {
+  const auto unknowns = static_cast<std::size_t>(scene_->assembler().numbering().unknowns());
+  if (values.size() != unknowns)
+    throw std::invalid_argument(
+        fmt::format("{} has {} numbers, and the scene has {} unknowns", what, values.size(), unknowns));
+  require_finite(values, what);
+}
+
 std::vector<double> Answer::residual(const std::vector<double>& u) {
   Assembler& assembler = scene_->assembler();
-  const auto unknowns = static_cast<std::size_t>(assembler.numbering().unknowns());
-  if (u.size() != unknowns)
-    throw std::invalid_argument(
-        fmt::format("u has {} displacements, and the scene has {} unknowns", u.size(), unknowns));
-  require_finite(u, "u");
+  require_unknowns(u, "u");
   std::vector<double> x = assembler.start(), residual(x.size());
   assembler.place(u, x);
   if (!assembler.evaluate(x, {.residual = residual.data()}))
     throw std::invalid_argument(assembler.fault_sentence(scene_->loaded().scene));
-  residual.resize(unknowns);
+  residual.resize(u.size());
   return residual;
+}
+
+std::vector<double> Answer::solve(const std::vector<double>& b, bool transposed) {
+  require_unknowns(b, "the right-hand side");
+  if (!tangent_) tangent_ = std::make_unique<runs::Tangent>(*scene_, solution_.x);
+  auto found = transposed ? tangent_->adjoint(b) : tangent_->solved(b);
+  if (!found) throw std::invalid_argument("the tangent at the answer cannot be factorised");
+  return *found;
 }
 
 TangentMatrix Answer::tangent() {

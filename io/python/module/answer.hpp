@@ -3,6 +3,7 @@
 #include "io/python/module/opened_scene.hpp"
 #include "io/results/figures/make_result.hpp"
 #include "io/results/file/write_result.hpp"
+#include "io/runs/tangent.hpp"
 #include "io/studies/sensitivity/sensitivity.hpp"
 
 #include <exception>
@@ -61,6 +62,9 @@ class Answer {
   /// defined there, or if u has the wrong length.
   std::vector<double> residual(const std::vector<double>& u);
   TangentMatrix tangent();
+  /// K⁻¹ b, or K⁻ᵀ b if `transposed`. K is factorised at the first call. Throws std::invalid_argument if b
+  /// has the wrong length or K cannot be factorised.
+  std::vector<double> solve(const std::vector<double>& b, bool transposed);
   /// The derivatives of all figures with respect to these numbers (paths as for `--to`), or with respect to
   /// all numbers of the scene if there are no paths.
   studies::Sensitivities sensitivities(const std::vector<std::string>& paths, bool with_long_step,
@@ -69,6 +73,7 @@ class Answer {
   void write(const std::filesystem::path& path);
 
  private:
+  void require_unknowns(const std::vector<double>& values, const char* what) const;
   void find_elements();
   void find_mesh_errors(const std::atomic<bool>& interrupt);
 
@@ -79,7 +84,8 @@ class Answer {
   std::vector<PartElements> elements_;
   std::string started_;
   std::exception_ptr raised_;
-  std::vector<std::string> command_;  // the command line that solves the same scene
+  std::vector<std::string> command_;        // the command line that solves the same scene
+  std::unique_ptr<runs::Tangent> tangent_;  // nullptr until first used
 };
 
 }  // namespace netloft::python

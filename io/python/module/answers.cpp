@@ -72,6 +72,15 @@ py::array residual_at(Answer& answer, const std::vector<double>& u) {
   return copy_of(residual);
 }
 
+py::array solved_by(Answer& answer, const std::vector<double>& b, bool transposed) {
+  std::vector<double> found;
+  {
+    const py::gil_scoped_release others_may_run;
+    found = answer.solve(b, transposed);
+  }
+  return copy_of(found);
+}
+
 /// The exception that the solver or strategy in Python raised; None if there was none, or if it came from
 /// C++. In the second case, the reason of the answer names it.
 py::object raised_by(const Answer& answer) {
@@ -95,6 +104,7 @@ void bind_answers(py::module_& module) {
       .def("elements", &elements_of)
       .def("residual", &residual_at, py::arg("u"))
       .def("tangent", &tangent_of)
+      .def("solve", &solved_by, py::arg("b"), py::arg("transposed"))
       .def("sensitivities", &sensitivities_of, py::arg("paths"), py::arg("check"))
       .def("write", &Answer::write, py::arg("path"), py::call_guard<py::gil_scoped_release>());
   add_report(answers, [](const Answer& a) -> const results::Result& { return a.result(); });

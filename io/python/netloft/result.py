@@ -139,7 +139,6 @@ class Equilibrium(Report):
         super().__init__(answer)
         self.scene = scene
         self._blocks: dict[str, list[tuple[Any, ...]]] | None = None
-        self._factor: Any = None
         self._found: dict[tuple[tuple[str, ...], bool], tuple[list[str], list[Any]]] = {}
 
     # ------------------------------------------------------------ shapes
@@ -316,17 +315,10 @@ class Equilibrium(Report):
         K = csc_matrix((values, rows, starts), shape=(size, size))
         return (K + tril(K, -1).T if symmetric else K).tocsr()
 
-    def _factors(self) -> Any:
-        if self._factor is None:
-            from scipy.sparse.linalg import splu
-
-            self._factor = splu(self.tangent().tocsc())
-        return self._factor
-
     def solve(self, b: Array) -> Array:
         """K⁻¹ b: the displacements that additional forces −b [N] cause, to first order [m]."""
-        return self._factors().solve(b)
+        return self._answer.solve([float(x) for x in b], False)
 
     def solve_adjoint(self, v: Array) -> Array:
         """K⁻ᵀ v."""
-        return self._factors().solve(v, trans="T")
+        return self._answer.solve([float(x) for x in v], True)

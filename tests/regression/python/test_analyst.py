@@ -209,7 +209,7 @@ class Derivatives(unittest.TestCase):
         rng = numpy.random.default_rng(2)
         v, w = rng.normal(size=(2, len(RESULT.u)))
         K, adjoint = RESULT.tangent(), RESULT.solve_adjoint(w)
-        self.assertLess(abs(adjoint @ (K @ v) - w @ v), 1e-9 * numpy.linalg.norm(w) * numpy.linalg.norm(v))
+        self.assertLess(abs(adjoint @ (K @ v) - w @ v), 1e-11 * numpy.linalg.norm(w) * numpy.linalg.norm(v))
 
 
 class AStudyWithErrors(unittest.TestCase):

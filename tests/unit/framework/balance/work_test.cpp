@@ -21,6 +21,7 @@ class Sized final : public Factorisation {
   void analyse(const SparsePattern&) override { ++analyses_; }
   FactorResult factorise(std::span<const double>) override { return {}; }
   void solve(std::span<const double>, std::span<double>) override {}
+  void solve_transposed(std::span<const double>, std::span<double>) override {}
   double factor_flops() const override { return flops_; }
   double factor_entries() const override { return entries_; }
 

@@ -335,6 +335,7 @@ class WithoutRoom final : public Factorisation {
   void analyse(const SparsePattern&) override {}
   FactorResult factorise(std::span<const double>) override { return {FactorStatus::out_of_memory}; }
   void solve(std::span<const double>, std::span<double>) override {}
+  void solve_transposed(std::span<const double>, std::span<double>) override {}
 };
 
 TEST(Verdict, SaysThatMemoryIsWantedAndNotThatTheTangentIsSingular) {

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <ostream>
 
 #include "solvers/factorisation/lower_triangle.hpp"
@@ -137,6 +138,25 @@ TEST_P(EveryFactorisation, SolvesInPlace) {
   EXPECT_EQ(apart, in_place);
 }
 
+double dot(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+TEST_P(EveryFactorisation, SolvesTheTransposedEquations) {
+  for (const TestMatrix& net : {make_net({.ground = 10, .skew = 3}), make_hardest_net(1)}) {
+    const auto factorisation = make();
+    factorisation->analyse(net.pattern);
+    ASSERT_EQ(factorisation->factorise(net.value).status, FactorStatus::ok);
+    const std::vector<double> b = made_up_vector(net.pattern.size);
+    std::vector<double> c(b.size(), 1.0), x(b.size()), y = c;
+    factorisation->solve_transposed(y, y);  // the first solve after a factorisation, in place
+    factorisation->solve(b, x);
+    // y·b = y·(A x) = (Aᵀ y)·x = c·x
+    EXPECT_NEAR(dot(y, b), dot(c, x), 1e-11 * std::sqrt(dot(c, c) * dot(x, x)));
+    EXPECT_LT(net.transposed().backward_error(y, c), kRoundOff);
+  }
+}
+
 TEST_P(EveryFactorisation, ReadsValuesWhereThePatternSaysThatTheyStand) {
   TestMatrix net = make_net({.skew = 1});
   const auto x = solve(*make(), net);
@@ -157,6 +177,7 @@ TEST_P(EveryFactorisation, ManagesNoUnknownAndOne) {
   factorisation->analyse(nothing.pattern);
   EXPECT_EQ(factorisation->factorise(nothing.value).status, FactorStatus::ok);
   factorisation->solve({}, {});
+  factorisation->solve_transposed({}, {});
 
   const double a = takes(MatrixClass::symmetric) ? -4 : 4;
   const TestMatrix one = make_dense({{a}});

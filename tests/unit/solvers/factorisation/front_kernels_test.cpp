@@ -89,6 +89,29 @@ TEST(FrontKernels, SolveTheirPartOfTheEquations) {
     }
 }
 
+TEST(FrontKernels, SolveTheirPartOfTheTransposedEquations) {
+  for (const FrontKernels& kernels : front_kernels_here())
+    for (const auto& [n, u] : kSizes) {
+      DenseFront front{n, u};
+      front.fill();
+      ASSERT_EQ(kernels.eliminate(front.panels(), {}, front.exchanged.data()).stopped_at, -1);
+      const Matrix x = made_up(n + u, 1, 3), b = front.A.transpose() * x;  // b₂ = A₁₂ᵀ x₁
+      std::vector<double> y(static_cast<std::size_t>(n + u + kTileRows), 0);
+      std::copy_n(b.data(), n + u, y.begin());
+      kernels.forward_transposed(front.panels(), y.data());
+      const Matrix rest = Eigen::Map<Matrix>(y.data() + n, u, 1);
+      if (u > 0) {
+        const Matrix expected = front.schur_complement().transpose() * x.bottomRows(u);
+        EXPECT_LT((rest - expected).norm(), 1e-9 * (1 + expected.norm())) << n << " " << u;
+      }
+      std::copy_n(x.data() + n, u, y.begin() + n);
+      std::fill(y.begin() + n + u, y.end(), std::nan(""));  // the kernel must not use these numbers
+      kernels.backward_transposed(front.panels(), y.data());
+      for (int k = n; k-- > 0;) std::swap(y[k], y[front.exchanged[k]]);
+      EXPECT_LT((Eigen::Map<Matrix>(y.data(), n, 1) - x.topRows(n)).norm(), 1e-9 * x.norm()) << n << " " << u;
+    }
+}
+
 TEST(FrontKernels, ExchangeRowsOnlyWhereThePivotIsSmallBesideWhatIsBelow) {
   for (const FrontKernels& kernels : front_kernels_here())
     for (const int k : {0, 5, 9}) {

@@ -17,6 +17,7 @@ class Counting final : public Factorisation {
   void analyse(const SparsePattern&) override { ++analyses_; }
   FactorResult factorise(std::span<const double>) override { return {status_}; }
   void solve(std::span<const double>, std::span<double>) override {}
+  void solve_transposed(std::span<const double>, std::span<double>) override {}
   double factor_entries() const override { return entries_; }
 
  private:

@@ -34,6 +34,10 @@ class Spare final : public Factorisation {
     const Eigen::VectorXd b = Eigen::Map<const Eigen::VectorXd>(rhs.data(), pattern_->size);
     Eigen::Map<Eigen::VectorXd>(x.data(), pattern_->size) = factors_.solve(b);
   }
+  void solve_transposed(std::span<const double> rhs, std::span<double> x) override {
+    const Eigen::VectorXd b = Eigen::Map<const Eigen::VectorXd>(rhs.data(), pattern_->size);
+    Eigen::Map<Eigen::VectorXd>(x.data(), pattern_->size) = factors_.transpose().solve(b);
+  }
 
  private:
   int& asked_;

@@ -139,6 +139,15 @@ std::vector<double> TestMatrix::times(std::span<const double> x) const {
   return y;
 }
 
+TestMatrix TestMatrix::transposed() const {
+  if (pattern.symmetric) return *this;
+  std::vector<Entry> entries;
+  for (std::int32_t column = 0; column < pattern.size; ++column)
+    for (std::int32_t e = pattern.column_start[column]; e < pattern.column_start[column + 1]; ++e)
+      entries.push_back({pattern.row[e], column, value[e]});
+  return compress(std::move(entries), pattern.node, false);
+}
+
 double TestMatrix::backward_error(std::span<const double> x, std::span<const double> b) const {
   TestMatrix magnitude = *this;
   for (double& v : magnitude.value) v = std::abs(v);

@@ -15,6 +15,8 @@ struct TestMatrix {
   std::vector<double> value;
 
   std::vector<double> times(std::span<const double> x) const;
+  /// The transposed matrix; itself if it is given by its lower triangle.
+  TestMatrix transposed() const;
   /// ‖A x − b‖∞ / (‖A‖∞ ‖x‖∞ + ‖b‖∞)
   double backward_error(std::span<const double> x, std::span<const double> b) const;
 };
