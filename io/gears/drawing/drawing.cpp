@@ -114,7 +114,7 @@ class Draughtsman {
     for (const auto& panel : panels_) draw_border(panel);
     line_ = scale_({box_.left, box_.bottom}).y + 3 * kLineHeight;
     draw_scale();
-    say_quality(mesh);
+    say_quality(mesh.nodes, quality_of(gear, mesh));
     return {kWidth, line_ + kMargin / 2};
   }
 
@@ -138,10 +138,10 @@ class Draughtsman {
                     place(*placed, {mesh.meshes[b][0], mesh.meshes[b][1]}), kPale, 0.4);
   }
 
-  void say_quality(const GearMesh& mesh) {
+  void say_quality(std::size_t nodes, const MeshQuality& quality) {
     say(fmt::format("{} nodes, {} triangles, angles {:.0f} to {:.0f}° where meshes are opened by one half",
-                    mesh.nodes, mesh.quality.triangles, formats::kDegreesPerRadian * mesh.quality.least_angle,
-                    formats::kDegreesPerRadian * mesh.quality.greatest_angle),
+                    nodes, quality.triangles, formats::kDegreesPerRadian * quality.least_angle,
+                    formats::kDegreesPerRadian * quality.greatest_angle),
         kInk);
   }
 

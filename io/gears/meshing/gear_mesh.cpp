@@ -74,7 +74,6 @@ class Divider {
     number_lines();
     find_senses();
     mesh_.panels.resize(gear_.panels.size());
-    mesh_.quality = {std::numbers::pi, 0, 0};
   }
 
   GearMesh finish() {
@@ -281,7 +280,6 @@ class Divider {
     const PlaneMesh& plane = planes_[c];
     const auto own = add_own_nodes(c);
     for (auto t : plane.triangles) {
-      rate(plane, t);
       if (senses_[c] < 0) std::swap(t[1], t[2]);
       for (const auto v : t) mesh_.panels[cloth.panel].triangles.push_back(own[v]);
     }
@@ -332,14 +330,6 @@ class Divider {
     panel.nodes.push_back(node);
     panel.meshes.push_back({meshes[0] == 0 ? 0 : meshes[0], meshes[1]});
     return own;
-  }
-
-  void rate(const PlaneMesh& plane, const std::array<std::uint32_t, 3>& t) {
-    ++mesh_.quality.triangles;
-    for (const double angle : angles_of(plane.points[t[0]], plane.points[t[1]], plane.points[t[2]])) {
-      mesh_.quality.least_angle = std::min(mesh_.quality.least_angle, angle);
-      mesh_.quality.greatest_angle = std::max(mesh_.quality.greatest_angle, angle);
-    }
   }
 
   void add_sets(const Cloth& cloth, const Border& border, const std::vector<std::uint32_t>& own) {
@@ -469,6 +459,26 @@ GearMesh divide(const Gear& gear, const Fineness& fineness) {
     best = std::move(mesh);
   }
   return best;
+}
+
+MeshQuality quality_of(const Gear& gear, const GearMesh& mesh) {
+  MeshQuality quality{std::numbers::pi, 0, 0};
+  for (std::size_t p = 0; p < mesh.panels.size(); ++p) {
+    std::vector<PlanePoint> points;
+    for (const auto& [U, V] : mesh.panels[p].meshes) {
+      const PanelPoint at = spread(*gear.panels[p].panel, {U, V});
+      points.push_back({at.x, at.y});
+    }
+    const auto& corners = mesh.panels[p].triangles;
+    quality.triangles += corners.size() / 3;
+    for (std::size_t t = 0; t < corners.size(); t += 3)
+      for (const double angle :
+           angles_of(points[corners[t]], points[corners[t + 1]], points[corners[t + 2]])) {
+        quality.least_angle = std::min(quality.least_angle, angle);
+        quality.greatest_angle = std::max(quality.greatest_angle, angle);
+      }
+  }
+  return quality;
 }
 
 GearMesh divide_alike(const Gear& gear, const Fineness& fineness, const MeshTopology& like) {

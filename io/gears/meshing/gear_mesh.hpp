@@ -68,7 +68,6 @@ struct GearMesh {
   std::vector<RopeMesh> ropes;
   std::map<std::string, std::uint32_t> points;  // points by name, such as "headrope.end"
   std::vector<std::uint32_t> middle;            // nodes on the plane of symmetry, in half a gear
-  MeshQuality quality;
   std::shared_ptr<const MeshTopology> topology;
 };
 
@@ -84,6 +83,8 @@ struct GearMesh {
 /// Throws std::invalid_argument, with a sentence for the user, for a panel whose border crosses itself, and
 /// for a size that would give millions of nodes.
 GearMesh divide(const Gear& gear, const Fineness& fineness);
+
+MeshQuality quality_of(const Gear& gear, const GearMesh& mesh);
 
 /// Divides a gear in the same way as another one, whose mesh has the topology `like`. Lines are divided at
 /// the same fractions, and inner nodes of panels move with the border of their panel (moved_with_border() in

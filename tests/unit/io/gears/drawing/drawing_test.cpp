@@ -87,7 +87,7 @@ TEST(Drawing, OfTrianglesHasAllTheirSides) {
   const std::string svg = picture.finish(draw_mesh(checked.plan, gear, mesh, picture), 1000);
   std::size_t lines = 0;
   for (auto at = svg.find("<line"); at != std::string::npos; at = svg.find("<line", at + 1)) ++lines;
-  EXPECT_GT(lines, 3 * mesh.quality.triangles / 2);
+  EXPECT_GT(lines, 3 * quality_of(gear, mesh).triangles / 2);
   EXPECT_NE(svg.find(std::to_string(mesh.nodes) + " nodes"), std::string::npos);
 }
 
