@@ -3,10 +3,12 @@
 #include "framework/assembler/law_watch.hpp"
 #include "framework/scene/scene_plan.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 namespace netloft {
 
@@ -52,6 +54,13 @@ class ElementFamily {
   double viscosity_ratio() const { return viscosity_ratio_; }
   /// First element of each part, and one past the last.
   const std::vector<std::size_t>& part_begin() const { return part_begin_; }
+  /// The elements of a scene part, from the first to one past the last; none if the part has no elements
+  /// here.
+  std::pair<std::size_t, std::size_t> elements_of(std::uint32_t scene_part) const {
+    const auto at = static_cast<std::size_t>(std::ranges::find(parts_, scene_part) - parts_.begin());
+    if (at == parts_.size()) return {};
+    return {part_begin_[at], part_begin_[at + 1]};
+  }
   const void* self() const { return self_; }
   /// The family whose drag these elements evaluate once more, in water that a flow changes; nullptr if this
   /// is an ordinary family.

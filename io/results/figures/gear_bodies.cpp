@@ -36,8 +36,8 @@ void add_outputs(const scenes::LoadedScene& loaded, const Assembler& assembler, 
                  std::size_t b, const std::string& own, std::vector<Figure>& figures) {
   for (std::size_t f = 0; f < assembler.families().size(); ++f) {
     const ElementFamily& family = *assembler.families()[f];
-    for (std::size_t e = 0; e < family.size(); ++e) {
-      if (family.part(e) != loaded.bodies[b].part) continue;
+    const auto [first, last] = family.elements_of(loaded.bodies[b].part);
+    for (std::size_t e = first; e < last; ++e) {
       const auto& outputs = family.type().outputs;
       for (std::size_t k = 0; k < outputs.size(); ++k)
         if (outputs[k].role != NETLOFT_OUTPUT_DOUBT)

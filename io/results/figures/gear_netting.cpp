@@ -4,9 +4,11 @@
 // gear_figures.hpp.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "io/results/figures/gear_view.hpp"
+#include "io/results/figures/materials.hpp"
 
 namespace netloft::results {
 
@@ -31,8 +33,8 @@ double sum(const std::vector<double>& values) { return std::accumulate(values.be
 /// Adds the areas, (3) of gear_figures.hpp, of those triangles of a family (elements of one type) that belong
 /// to panel `panel`.
 void add_triangles(const GearView& gear, const ElementFamily& family, std::uint32_t panel, Amount& amount) {
-  for (std::size_t e = 0; e < family.size(); ++e) {
-    if (family.part(e) != panel) continue;
+  const auto [first, last] = family.elements_of(panel);
+  for (std::size_t e = first; e < last; ++e) {
     const Vector a = gear.at(family.node(e, 0)), b = gear.at(family.node(e, 1)),
                  c = gear.at(family.node(e, 2));
     const Vector S = 0.5 * cross(b - a, c - a);
@@ -83,6 +85,32 @@ void add_opening(const GearView& gear, std::uint32_t panel, std::vector<Figure>&
   figures.push_back({at + "max", "1", doc + "where the netting is most open", most});
 }
 
+/// The row of the bill of materials to which a panel belongs; nullptr if there is none.
+const scenes::BillItem* bill_of(const GearView& gear, std::uint32_t panel) {
+  for (const auto& item : gear.gear().bill)
+    if (item.kind == "netting" && is_called(gear.name(panel), item.name)) return &item;
+  return nullptr;
+}
+
+/// The number of twines side by side in the bars of a panel.
+double twines_of(const GearView& gear, const std::string& panel) {
+  const auto sheet = std::ranges::find(gear.gear().netting, panel, &scenes::NettingSheet::name);
+  return sheet == gear.gear().netting.end() ? 1 : sheet->twines;
+}
+
+void add_twine_tensions(const GearView& gear, std::uint32_t panel, std::vector<Figure>& figures) {
+  const std::string at = "panels/" + gear.name(panel) + "/";
+  const double largest = gear.largest_twine_tension(panel);
+  if (!std::isfinite(largest)) return;
+  figures.push_back({at + "tension_largest", "N", "largest tension of the twines of a bar", largest});
+  const scenes::BillItem* item = bill_of(gear, panel);
+  if (!item || !(item->diameter > 0)) return;
+  const double section = twines_of(gear, item->name) * std::numbers::pi / 4 * item->diameter * item->diameter;
+  figures.push_back({at + "stress_largest", "Pa",
+                     "largest tension of the twines of a bar over the area of circles of their diameter",
+                     largest / section});
+}
+
 }  // namespace
 
 void add_netting_figures(const GearView& gear, std::vector<Figure>& figures) {
@@ -90,6 +118,7 @@ void add_netting_figures(const GearView& gear, std::vector<Figure>& figures) {
   for (const auto panel : gear.gear().panels) {
     const Amount amount = amount_of(gear, panel);
     add_opening(gear, panel, figures);
+    add_twine_tensions(gear, panel, figures);
     add_amount(gear, "panels/" + gear.name(panel) + "/", amount, figures);
     all.add(amount);
   }

@@ -2,7 +2,10 @@
 #include "io/results/figures/gear_view.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+
+#include "io/results/figures/named_scalar.hpp"
 
 namespace netloft::results {
 
@@ -38,12 +41,13 @@ std::vector<double> GearView::first_output(std::uint32_t part, const IsWanted& i
   std::vector<double> values;
   for (std::size_t f = 0; f < answer_.outputs.size(); ++f) {
     const ElementFamily& family = *assembler_.families()[f];
+    if (std::ranges::count(family.parts(), part) == 0) continue;
     const auto& outputs = family.type().outputs;
     const auto wanted = std::ranges::find_if(outputs, is_wanted);
     if (wanted == outputs.end()) continue;
     const auto& of_elements = answer_.outputs[f][static_cast<std::size_t>(wanted - outputs.begin())];
-    for (std::size_t e = 0; e < family.size(); ++e)
-      if (family.part(e) == part) values.push_back(of_elements[e]);
+    const auto [first, last] = family.elements_of(part);
+    for (std::size_t e = first; e < last; ++e) values.push_back(of_elements[e]);
   }
   return values;
 }
@@ -54,16 +58,39 @@ std::vector<double> GearView::output(std::uint32_t part, const KnownOutput& know
 
 std::vector<double> GearView::tensions(std::uint32_t part) const { return first_output(part, is_tension); }
 
+double GearView::largest_twine_tension(std::uint32_t panel) const {
+  double largest = NamedScalar::kUnknown;
+  for (std::size_t f = 0; f < answer_.outputs.size(); ++f) {
+    const ElementFamily& family = *assembler_.families()[f];
+    const auto [first, last] = family.elements_of(panel);
+    if (first == last || family.nodes_per_element() != 3) continue;
+    for (std::size_t k = 0; k < family.type().outputs.size(); ++k)
+      for (std::size_t e = first; e < last && is_tension(family.type().outputs[k]); ++e)
+        largest = std::fmax(largest, answer_.outputs[f][k][e]);
+  }
+  return largest;
+}
+
+GearView::GearView(const scenes::LoadedScene& loaded, const Assembler& assembler, const Response& answer)
+    : loaded_(loaded), assembler_(assembler), answer_(answer) {
+  for (const PartForce& force : answer.forces) forces_[force.part].push_back(&force);
+}
+
+const std::vector<const PartForce*>& GearView::forces_on(const std::string& part) const {
+  static const std::vector<const PartForce*> none;
+  const auto at = forces_.find(part);
+  return at == forces_.end() ? none : at->second;
+}
+
 Vector GearView::force(const std::string& part, const Kind& is_of_kind) const {
   Vector sum;
-  for (const auto& f : answer_.forces)
-    if (f.part == part && is_of_kind(f)) sum += {f.force[0], f.force[1], f.force[2]};
+  for (const PartForce* f : forces_on(part))
+    if (is_of_kind(*f)) sum += {f->force[0], f->force[1], f->force[2]};
   return sum;
 }
 
 bool GearView::has_force(const std::string& part, const Kind& is_of_kind) const {
-  return std::any_of(answer_.forces.begin(), answer_.forces.end(),
-                     [&](const PartForce& f) { return f.part == part && is_of_kind(f); });
+  return std::ranges::any_of(forces_on(part), [&](const PartForce* f) { return is_of_kind(*f); });
 }
 
 Vector GearView::current_at(const Vector& place) const {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <unordered_map>
 
 #include "framework/registry/element_outputs.hpp"
 #include "io/results/figures/gear_figures.hpp"
@@ -16,8 +17,8 @@ using Vector = Vec3<double>;
 /// along a rope or outputs of a panel.
 class GearView {
  public:
-  GearView(const scenes::LoadedScene& loaded, const Assembler& assembler, const Response& answer)
-      : loaded_(loaded), assembler_(assembler), answer_(answer) {}
+  /// The arguments must outlive this object.
+  GearView(const scenes::LoadedScene& loaded, const Assembler& assembler, const Response& answer);
 
   const scenes::LoadedScene& loaded() const { return loaded_; }
   const scenes::GearInScene& gear() const { return *loaded_.gear; }
@@ -43,6 +44,8 @@ class GearView {
   std::vector<double> output(std::uint32_t part, const KnownOutput& known) const;
   /// For each element of the part, its first output that is a tension [N].
   std::vector<double> tensions(std::uint32_t part) const;
+  /// The largest tension of the twines of a bar in a panel [N]; NaN if the elements have no such output.
+  double largest_twine_tension(std::uint32_t panel) const;
   /// A condition on a force, such as PartForce::is_drag.
   using Kind = std::function<bool(const PartForce&)>;
   /// Sum of the forces on a part that meet a condition [N]; in a half gear, on the modelled half.
@@ -53,12 +56,14 @@ class GearView {
   Vector current_at(const Vector& place) const;
 
  private:
+  const std::vector<const PartForce*>& forces_on(const std::string& part) const;
   template <class IsWanted>
   std::vector<double> first_output(std::uint32_t part, const IsWanted& is_wanted) const;
 
   const scenes::LoadedScene& loaded_;
   const Assembler& assembler_;
   const Response& answer_;
+  std::unordered_map<std::string, std::vector<const PartForce*>> forces_;  // by part
 };
 
 /// The force on the whole gear, from the force on the modelled part: half of the gear (`times` = 2) or the

@@ -164,8 +164,7 @@ Result make_result(const scenes::LoadedScene& loaded, Assembler& assembler, cons
   for (const auto& f : answer.forces) add(f.force, result.balance);
   for (const auto& h : result.hold_forces) add(h.force, result.balance);
   add_dependence(loaded, assembler, solution, result);
-  add_loads(result.figures, largest_twine_tensions(loaded.scene, assembler, answer.outputs),
-            result.materials);
+  add_loads(result.figures, result.materials);
   result.warnings = find_warnings(loaded, assembler, answer, laws, solution.residual, result);
   if (result.outcome == "unstable" && result.swing && result.swing->frequency > 0)
     result.diagnostics.push_back(

@@ -43,13 +43,6 @@ double largest_of(const std::vector<double>& values) {
   return values.empty() ? NamedScalar::kUnknown : *std::max_element(values.begin(), values.end());
 }
 
-double largest_of(const std::map<std::string, double>& twine_tensions, const std::string& name) {
-  double largest = NamedScalar::kUnknown;
-  for (const auto& [part, tension] : twine_tensions)
-    if (is_called(part, name)) largest = std::fmax(largest, tension);
-  return largest;
-}
-
 /// The value of the first parameter `TABLE.name`, such as `board.mass`; NaN if there is none.
 double number_called(const Part& part, const std::string& name) {
   for (const auto& [parameter, value] : part.parameters)
@@ -101,27 +94,7 @@ std::vector<Material> find_bill(const scenes::LoadedScene& loaded) {
   return bill;
 }
 
-std::map<std::string, double> largest_twine_tensions(const Scene& scene, const Assembler& assembler,
-                                                     const FamilyOutputs& outputs) {
-  std::map<std::string, double> largest;
-  for (std::size_t f = 0; f < outputs.size(); ++f) {
-    const ElementFamily& family = *assembler.families()[f];
-    if (family.nodes_per_element() != 3) continue;
-    for (std::size_t k = 0; k < family.type().outputs.size(); ++k) {
-      if (std::ranges::find(kTensions, std::string_view(family.type().outputs[k].name)) == kTensions.end())
-        continue;
-      for (std::size_t e = 0; e < family.size(); ++e) {
-        auto& of_part =
-            largest.try_emplace(scene.parts[family.part(e)].name, NamedScalar::kUnknown).first->second;
-        of_part = std::fmax(of_part, outputs[f][k][e]);
-      }
-    }
-  }
-  return largest;
-}
-
-void add_loads(const std::vector<NamedScalar>& figures, const std::map<std::string, double>& twine_tensions,
-               std::vector<Material>& materials) {
+void add_loads(const std::vector<NamedScalar>& figures, std::vector<Material>& materials) {
   for (Material& row : materials) {
     const scenes::BillItem& item = row.item;
     if (item.kind == "rope") {
@@ -132,7 +105,7 @@ void add_loads(const std::vector<NamedScalar>& figures, const std::map<std::stri
       row.area = sum_of(figures_of(figures, "panels", item.name, "twine_area"));
       row.length = row.area / item.diameter;
       row.mass = sum_of(figures_of(figures, "panels", item.name, "mass"));
-      row.load = largest_of(twine_tensions, item.name);
+      row.load = largest_of(figures_of(figures, "panels", item.name, "tension_largest"));
     } else {
       row.mass = item.number * item.mass;
       row.area = item.number * item.area;

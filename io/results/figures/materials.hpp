@@ -4,7 +4,6 @@
 #include "io/results/figures/result.hpp"
 
 #include <array>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,14 +22,8 @@ bool is_called(const std::string& part, const std::string& name);
 /// without a net plan.
 std::vector<Material> find_bill(const scenes::LoadedScene& loaded);
 
-/// The largest tension of the twines of each part of netting [N].
-std::map<std::string, double> largest_twine_tensions(const Scene& scene, const Assembler& assembler,
-                                                     const FamilyOutputs& outputs);
-
-/// Adds masses, areas and loads to the rows of a bill, computed from the figures of the gear and from the
-/// largest tensions of twines.
-void add_loads(const std::vector<NamedScalar>& figures, const std::map<std::string, double>& twine_tensions,
-               std::vector<Material>& materials);
+/// Adds masses, areas and loads to the rows of a bill, computed from the figures of the gear.
+void add_loads(const std::vector<NamedScalar>& figures, std::vector<Material>& materials);
 
 /// A sentence for every material that carries more than half of its breaking load.
 std::vector<std::string> load_warnings(const std::vector<Material>& materials);

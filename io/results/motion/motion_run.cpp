@@ -282,8 +282,7 @@ class MotionRun {
   void finish(MarchResult& march) {
     result_.states = outputs_;
     result_.materials = find_bill(loaded_);
-    add_loads(result_.figures, largest_twine_tensions(loaded_.scene, scene_.assembler(), answer_.outputs),
-              result_.materials);
+    add_loads(result_.figures, result_.materials);
     for (auto& warning : load_warnings(result_.materials)) result_.warnings.push_back(std::move(warning));
     journal_->set_status({result_.outcome, result_.sentence});
     if (march.status == MarchStatus::interrupted) {

@@ -128,10 +128,10 @@ std::vector<double> output_values(const ResultRequest& r, const Assembler& assem
   std::vector<double> values;
   for (std::size_t f = 0; f < outputs.size(); ++f) {
     const ElementFamily& family = *assembler.families()[f];
+    const auto [first, last] = family.elements_of(r.part);
     for (std::size_t k = 0; k < family.type().outputs.size(); ++k)
       if (r.quantity == family.type().outputs[k].name)
-        for (std::size_t e = 0; e < family.size(); ++e)
-          if (family.part(e) == r.part) values.push_back(outputs[f][k][e]);
+        for (std::size_t e = first; e < last; ++e) values.push_back(outputs[f][k][e]);
   }
   return values;
 }
