@@ -2,7 +2,8 @@
 // Compares the derivatives of `netloft sensitivity` with differences between pairs of equilibria on the same
 // mesh topology, and the cost of the derivatives with that of a run. Prints derivatives.md.
 //
-//   bench_derivatives [NUMBERS [SEED]]    number of values drawn for each scene (6), seed (1)
+//   bench_derivatives [NUMBERS [SEED]]    number of values drawn for each scene (6; 0: only the cost), seed
+//   (1)
 #include "io/studies/sensitivity/sensitivity.hpp"
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include "framework/balance/statistics.hpp"
 #include "io/results/figures/make_result.hpp"
 #include "io/runs/equilibrium.hpp"
+#include "io/runs/tangent.hpp"
 #include "tests/folders.hpp"
 
 namespace netloft::studies {
@@ -276,22 +278,56 @@ void print_frozen(std::size_t pairs, unsigned seed) {
   print("all", all);
 }
 
-/// Processor time of all derivatives with respect to the first `count` numbers, divided by the time to read
-/// and solve the scene, for the 83-112 at sea with 2000 nodes; the median of five ratios.
-double cost(std::size_t count) {
-  std::vector<double> ratios;
+/// Processor times of derivatives, divided by the time to read and solve the scene.
+struct DerivativeCost {
+  double with_reach, without_reach, of_one, adjoint;
+};
+
+/// The median of five ratios.
+double median(std::vector<double> ratios) {
+  std::ranges::sort(ratios);
+  return ratios[ratios.size() / 2];
+}
+
+/// The cost of derivatives of all figures with respect to the first `count` numbers of the 83-112 at sea with
+/// 2000 nodes, with and without how far they reach, and to one number; and of the adjoint variables of one
+/// figure, with the factors of K.
+DerivativeCost cost(std::size_t count) {
+  std::vector<double> with_reach, without_reach, of_one, adjoint;
   for (int i = 0; i < 5; ++i) {
     const double begin = cpu_seconds();
     AtRest at("83-112-at-sea-66m", {"gear.nodes=2000"});
-    const double solved = cpu_seconds();
-    auto numbers = chosen_numbers(at.scene, {});
-    numbers.resize(count);
-    find_sensitivities(at.scene, at.solution,
-                       {.figures = all_figures(at.result), .numbers = numbers, .with_reach = true});
-    ratios.push_back((cpu_seconds() - solved) / (solved - begin));
+    const double solved = cpu_seconds() - begin;
+    const auto all = chosen_numbers(at.scene, {});
+    const auto ratio_of = [&](std::size_t numbers, bool reach) {
+      const double before = cpu_seconds();
+      find_sensitivities(at.scene, at.solution,
+                         {.figures = all_figures(at.result),
+                          .numbers = {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(numbers)},
+                          .with_reach = reach});
+      return (cpu_seconds() - before) / solved;
+    };
+    with_reach.push_back(ratio_of(count, true));
+    without_reach.push_back(ratio_of(count, false));
+    of_one.push_back(ratio_of(1, false));
+    const double before = cpu_seconds();
+    runs::Tangent tangent(at.scene, at.solution.x);
+    tangent.adjoint(std::vector<double>(at.solution.u.size(), 1.0));
+    adjoint.push_back((cpu_seconds() - before) / solved);
   }
-  std::ranges::sort(ratios);
-  return ratios[2];
+  return {median(with_reach), median(without_reach), median(of_one), median(adjoint)};
+}
+
+void print_cost() {
+  constexpr std::size_t kNumbers = 30;
+  const DerivativeCost ratio = cost(kNumbers);
+  std::printf(
+      "\nDerivatives of all figures of the 83-112 at sea with 2000 nodes with respect to its first %zu "
+      "numbers, most of them of the net plan, take %.2f of the processor\ntime of reading and solving it, "
+      "and "
+      "%.2f with how far they reach; with respect to one number, %.2f. The adjoint variables of one figure, "
+      "with the factors of K, take %.3f.\n",
+      kNumbers, ratio.without_reach, ratio.with_reach, ratio.of_one, ratio.adjoint);
 }
 
 void print_page(std::size_t count, unsigned seed) {
@@ -318,12 +354,7 @@ void print_page(std::size_t count, unsigned seed) {
   }
   print("all", all);
   print_frozen(kFrozenPairs, seed);
-  constexpr std::size_t kNumbers = 30;
-  std::printf(
-      "\nDerivatives of all figures of the 83-112 at sea with 2000 nodes with respect to its first %zu "
-      "numbers, most of them of the net plan, take %.2f of the processor\ntime of reading and solving it; "
-      "with respect to one number, %.2f.\n",
-      kNumbers, cost(kNumbers), cost(1));
+  print_cost();
 }
 
 }  // namespace
@@ -331,5 +362,9 @@ void print_page(std::size_t count, unsigned seed) {
 
 int main(int argc, char** argv) {
   const auto count = static_cast<std::size_t>(argc > 1 ? std::atoi(argv[1]) : 6);
+  if (count == 0) {
+    netloft::studies::print_cost();
+    return 0;
+  }
   netloft::studies::print_page(count, argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1);
 }
