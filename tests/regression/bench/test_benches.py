@@ -29,7 +29,7 @@ COMMANDS = {  # what it is called with
     "unpredictable.py": (PROGRAM,),
     "surrogates.py": (PROGRAM.parent.parent / "python", "--designs", "1", "--most", "12", "--nodes", "150"),
     "in_python.py": (PROGRAM.parent.parent / "python", "--times", "1", "--solves", "3", "--moments", "1"),
-    "optimum.py": (PROGRAM, LIBRARY, "--nodes", "100", "--starts", "1"),
+    "optimum.py": (PROGRAM, LIBRARY, "--nodes", "100", "--starts", "1", "--draws", "1"),
     "motions.py": (PROGRAM, SOURCE, "--scenes", "pendulum", "--schemes", "newmark", "--accuracies", "1e-1"),
     "large_study.py": (PROGRAM, LIBRARY / "studies/83-112-speed-depth.toml", "--samples", "1", "--nodes", "100", "--engines", "pool", "--jobs", "1"),
     "lifts.py": (PROGRAM, LIBRARY, "--nodes", "100", "--points", "5"),
