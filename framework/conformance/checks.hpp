@@ -82,6 +82,10 @@ Finding says_how_much_it_stands_for(Bench&);
 Finding water_is_undisturbed_out_of_reach(Bench&);
 Finding water_has_its_derivatives(Bench&);
 Finding water_turns_with_the_current(Bench&);
+Finding still_water_stays_still(Bench&);
+Finding lost_momentum_is_the_drag(Bench&);
+Finding mouth_is_the_same_in_any_frame(Bench&);
+Finding finer_rims_converge(Bench&);
 
 // Members: do their forces add up to the force of their term? (member_checks.cpp)
 Finding members_make_their_term(Bench&);

@@ -28,7 +28,7 @@ solve 83-112 83-112-flume-3.0kn --set gear.nodes=2000
 picture 83-112 83-112 --dark --field opening --width 1000
 picture 83-112-front 83-112 --view front --width 800
 
-solve start 83-112-flume-3.0kn --set gear.nodes=2000 --set 'elements.floats.float.buoyancy=2.6015 kgf' --set 'points.towing-point.at[1]=29.422 m'
+solve start ../optima/83-112-undisturbed-water --set gear.nodes=2000 --set 'elements.floats.float.buoyancy=2.6015 kgf' --set 'points.towing-point.at[1]=29.422 m'
 picture least-drag-start start --view front --field opening --dimensions --width 600
 solve sewn ../optima/83-112-least-drag-plan --set gear.nodes=2000
 picture least-drag-sewn sewn --view front --field opening --dimensions --width 600

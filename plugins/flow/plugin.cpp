@@ -21,4 +21,11 @@ NETLOFT_PLUGIN("flow", "0.1.0", "Water that a gear changes") {
       "a bag that takes more than four tenths of the speed, for which the balance of momentum is an "
       "empirical curve",
       [](auto&, auto&, auto& s) { return s.x[2].x > 0.4 ? 1.0 : 0.0; }, netloft::OutputRole::doubt);
+  m.output(
+      "flows_back", "1",
+      "a bag that takes more than all of the speed, so that water would flow back through its netting: its "
+      "mouth "
+      "is too small for the drag of the net, or is turned away from the current",
+      [](auto&, auto&, auto& s) { return s.x[2].x > 1 || s.x[2].x < 0 ? 1.0 : 0.0; },
+      netloft::OutputRole::doubt);
 }

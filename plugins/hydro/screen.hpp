@@ -74,13 +74,19 @@ T held_solidity(const T& S, double hi) {
 /// Technology. S is the solidity, θ the angle between the flow and the normal of the netting:
 ///   C_D = 0.04 + (−0.04 + 0.33 S + 6.54 S² − 4.88 S³) cos θ             (9)
 ///   C_L = (−0.05 S + 2.3 S² − 1.76 S³) sin 2θ
-/// Measured for 0.13 < S < 0.32; S is limited to 0.35.
+/// Measured for 0.13 < S < 0.32; S is limited to 0.35. Below S₀ = 0.13, both coefficients are those at S₀
+/// times S/S₀: twines that are far apart do not feel each other, so that the force is proportional to their
+/// number. C_D at normal incidence is then 1.10 S, where a cylinder at Re = 2000 has 1.19 S (Choo and
+/// Casarella 1971). The polynomials themselves tend to 0.33 S, and along the netting C_D would be 0.04 even
+/// without twines.
 struct LolandModel {
   using Parameters = ScreenParameters;
+  static constexpr double kLeast = 0.13, kMost = 0.35, kSoft = 0.02;
   template <class T>
   static ScreenCoefficients<T> coefficients(const Parameters&, const T& c, const T& solidity, const T&) {
-    const T S = held_solidity(solidity, 0.35);
-    return {0.04 + (loland_drag(S) - 0.04) * rounded(c), 2.0 * (S * (-0.05 + S * (2.3 - 1.76 * S)))};
+    const T S = held(solidity, kLeast, kMost, kSoft), few = solidity / held(solidity, kLeast, 2, kSoft);
+    return {few * (0.04 + (loland_drag(S) - 0.04) * rounded(c)),
+            few * (2.0 * (S * (-0.05 + S * (2.3 - 1.76 * S))))};
   }
 };
 

@@ -22,7 +22,7 @@ import tempfile
 import time
 from pathlib import Path
 
-FLUME = ("83-112-flume-3.0kn.toml", ("tow.speed", "ropes.lower-bridle.length", "elements.netting.drag.shielding"))
+FLUME = ("83-112-flume-3.0kn.toml", ("tow.speed", "ropes.lower-bridle.length", "elements.netting.drag.measured_at"))
 AT_SEA = ("gov-like-67m.toml", ("ship.speed", "ship.warp.length"))
 
 

@@ -19,7 +19,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-SCENE, TWINE, LIFT, FLOATS, MESH = "83-112-flume-3.0kn.toml", 2.3, 2.506, 47, 0.1016  # twines [mm], lift of a float [kgf], their number, mesh [m]
+SCENE, TWINE, LIFT, FLOATS, MESH = "83-112-undisturbed-water.toml", 2.3, 2.506, 47, 0.1016  # twines [mm], lift of a float [kgf], their number, mesh [m]
 FORE = ("top-wing", "top-body", "bottom-wing", "bottom-body")  # panels whose mesh size is a variable
 PANELS = FORE + ("top-intermediate", "bottom-intermediate", "top-codend", "bottom-codend")
 ROPES = ("headrope", "footrope", "upper-bridle", "lower-bridle", "lower-extension", "upper-breast", "lower-breast", "ribline")
@@ -68,7 +68,7 @@ def variables(start):
 
 class Bench:
     def __init__(self, netloft, library, nodes, folder):
-        self.netloft, self.library, self.scene, self.folder = netloft, library, library / "scenes" / SCENE, folder
+        self.netloft, self.library, self.scene, self.folder = netloft, library, library / "optima" / SCENE, folder
         self.settings = [f"gear.nodes={nodes}", "analysis.tolerance=1e-9", f"elements.floats.float.buoyancy={LIFT} kgf",
                          'results.footrope={ of = "footrope", take = "mean z" }', *(f"panels.{p}.twine.part=pa-twisted-2.3mm" for p in PANELS)]
 
@@ -255,12 +255,12 @@ class Study:
         place.mkdir(exist_ok=True)
         every = self.plain + self.twines
         head = "# SPDX-License-Identifier: BSD-3-Clause\n# {} Written by tests/bench/optimum.py; tests/bench/optimum.md has the answers.\n"
-        text = self.bench.text(every, [v.start for v in every], self.limits(), scene=f"../scenes/{SCENE}")
+        text = self.bench.text(every, [v.start for v in every], self.limits(), scene=SCENE)
         (place / "83-112-least-drag.toml").write_text(head.format("The 83-112 in the flume tank at 3 knots with the least drag.") + text)
         plan = (self.bench.folder / "sewn.optimum" / "scene.toml").read_text().splitlines()
         kept = [line for line in plan if not line.startswith(("#", "include", "gear.nodes", "analysis.", "\n"))]
         (place / "83-112-least-drag-plan.toml").write_text(
-            head.format("The optimum of 83-112-least-drag.toml as a plan that can be sewn.") + f'include = ["../scenes/{SCENE}"]\n' + "\n".join(kept) + "\n")
+            head.format("The optimum of 83-112-least-drag.toml as a plan that can be sewn.") + f'include = ["{SCENE}"]\n' + "\n".join(kept) + "\n")
 
 
 def main():

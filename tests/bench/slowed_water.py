@@ -15,9 +15,8 @@ import subprocess
 import tempfile
 
 GEARS = (("two-panel", ()), ("four-panel", ()), ("pelagic-with-doors", ()), ("pair-trawl", ()), ("gov-like-31m", ()), ("gov-like-67m", ()),
-         ("83-112-slowed-water-at-sea-66m", ()), ("83-112-slowed-water-at-sea-99m", ()), ("83-112-slowed-water-3.0kn", ("gear.nodes=500",)),
-         ("83-112-slowed-water-3.0kn", ("gear.nodes=2000",)), ("83-112-flume-2.0kn", ("elements.netting.drag.shielding=1",)),
-         ("83-112-flume-4.0kn", ("elements.netting.drag.shielding=1",)))
+         ("83-112-at-sea-66m", ()), ("83-112-at-sea-99m", ()), ("83-112-flume-3.0kn", ("gear.nodes=500",)),
+         ("83-112-flume-3.0kn", ("gear.nodes=2000",)), ("83-112-flume-2.0kn", ()), ("83-112-flume-4.0kn", ()))
 
 
 def run(program, scene, flow, settings, folder):

@@ -32,8 +32,7 @@ from pathlib import Path
 
 import numpy as np
 
-SCENES = ("83-112-flume-3.0kn", "gov-like-67m", "83-112-at-sea-66m", "four-panel", "two-panel", "pelagic-with-doors", "codend-from-plan",
-          "83-112-slowed-water-3.0kn")
+SCENES = ("83-112-flume-3.0kn", "gov-like-67m", "83-112-at-sea-66m", "four-panel", "two-panel", "pelagic-with-doors", "codend-from-plan")
 HARMS = ("ended", "other figures", "other lines", "silent jumps", "no way back", "memory")
 SAME = 1e-9
 NOTICED = 3e-3  # of the extent of the shape: three times the fraction of the sketch's that the program notices

@@ -27,9 +27,9 @@ LIMITS = {"drag": 0.05, "speed": 0.02}  # relative; of the undisturbed speed
 
 
 def screen(cosine, S):
-    """Løland's drag coefficient, and lift coefficient over sin θ cos θ. The solidity is limited as in Netloft."""
-    S = min(S, 0.35)
-    return 0.04 + (S * (0.33 + S * (6.54 - 4.88 * S)) - 0.04) * cosine, 2 * S * (-0.05 + S * (2.3 - 1.76 * S))
+    """Løland's drag coefficient, and lift coefficient over sin θ cos θ. Beyond solidities of 0.13 and 0.35 they go on as in Netloft."""
+    few, S = min(1, S / 0.13), min(max(S, 0.13), 0.35)
+    return few * (0.04 + (S * (0.33 + S * (6.54 - 4.88 * S)) - 0.04) * cosine), few * 2 * S * (-0.05 + S * (2.3 - 1.76 * S))
 
 
 # --- Netloft ---

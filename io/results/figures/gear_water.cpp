@@ -16,6 +16,12 @@ namespace netloft::results {
 
 namespace {
 
+/// The rim of the mouth without the bar in the plane of symmetry that closes it in half a gear.
+struct Rim {
+  Vector middle;   // mean of the places of its bars [m], in the plane of symmetry of half a gear
+  double bar = 0;  // mean length of its bars [m]
+};
+
 /// A bag and the forces of the water on it. Water inside a bag has not yet passed the netting, so that only
 /// the pressure ahead of the netting has slowed it. By Euler's equations, linearised about the flow U (1 − a)
 /// through the netting, the pressure is that of a dipole for every force:
@@ -28,7 +34,7 @@ namespace {
 struct Bag {
   std::uint32_t flow = 0;             // index of the part that is the flow
   double induction = 0;               // a
-  double ahead = 0;                   // distance between the mouth and the points of its mean [m]
+  Rim rim;                            // of the mouth
   std::vector<Vector> places, drags;  // x_i [m], F_i [N]
 };
 
@@ -38,13 +44,23 @@ std::array<double, 3> undisturbed_at(const GearView& gear, double z) {
   return flow;
 }
 
-/// Mean length of the bars along the rim of the mouth [m].
-double bar_of_rim(const GearView& gear, std::uint32_t flow) {
+/// Whether a node lies in the plane of symmetry of half a gear.
+bool is_cut(const GearView& gear, std::uint32_t node) {
+  return gear.is_half() && (gear.loaded().scene.held[node] & kAxisY) != 0;
+}
+
+Rim rim_of(const GearView& gear, std::uint32_t flow) {
   const auto& nodes = gear.loaded().scene.parts[flow].nodes;
-  double length = 0;
-  for (std::size_t n = 0; n + 1 < nodes.size(); n += 2)
-    length += norm(gear.at(nodes[n + 1]) - gear.at(nodes[n]));
-  return length / (0.5 * static_cast<double>(nodes.size()));
+  Rim rim;
+  double bars = 0;
+  for (std::size_t n = 0; n + 1 < nodes.size(); n += 2) {
+    const Vector a = gear.at(nodes[n]), b = gear.at(nodes[n + 1]);
+    if (is_cut(gear, nodes[n]) && is_cut(gear, nodes[n + 1])) continue;
+    rim.middle += 0.5 * (a + b), rim.bar += norm(b - a), ++bars;
+  }
+  rim.middle = (1 / bars) * rim.middle, rim.bar /= bars;
+  if (gear.is_half()) rim.middle.y = 0;
+  return rim;
 }
 
 std::set<std::uint32_t> nodes_in_flow(const GearView& gear, std::uint32_t flow, bool with_ahead) {
@@ -76,7 +92,7 @@ std::optional<Bag> bag_of(const GearView& gear, std::uint32_t flow) {
   const auto induction = gear.output(flow, output::kInduction);
   const auto& drag = gear.answer().drag_in_flow;
   if (induction.empty() || !(induction[0] < 1) || drag.empty()) return {};
-  Bag bag{flow, induction[0], 0.25 * bar_of_rim(gear, flow), {}, {}};
+  Bag bag{flow, induction[0], rim_of(gear, flow), {}, {}};
   const auto force_at = [&](std::uint32_t node) {
     const auto held = gear.assembler().reaction(node, drag), free = gear.assembler().unbalanced(node, drag);
     return Vector{held[0] + free[0], held[1] + free[1], held[2] + free[2]};
@@ -137,10 +153,7 @@ struct Mouth {
 
 Mouth mouth_of(const GearView& gear, const Bag& bag) {
   const auto& nodes = gear.loaded().scene.parts[bag.flow].nodes;
-  Vector middle;
-  for (const auto node : nodes) middle += (1.0 / static_cast<double>(nodes.size())) * gear.at(node);
-  if (gear.is_half()) middle.y = 0;
-  const Vector start = middle - bag.ahead * gear.current_at(middle);
+  const Vector middle = bag.rim.middle, start = middle - (0.25 * bag.rim.bar) * gear.current_at(middle);
   constexpr int kRings = 3;
   Mouth mouth;
   for (std::size_t n = 0; n + 1 < nodes.size(); n += 2) {

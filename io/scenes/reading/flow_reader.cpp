@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace netloft::scenes {
 
@@ -76,8 +78,11 @@ void FlowReader::read() {
   if (!type || !bag || diagnostics_.errors() > errors_before) return;
   if (!draft_.out.scene.current.flows())
     diagnostics_.warning(table.place(),
-                         "the water is at rest, so that no net can slow it: [flow] has no effect",
+                         "the water is at rest, so that no net can slow it: [flow] has no effect, and the "
+                         "report has no figures of the water in the net",
                          "add [tow] speed = \"3 kn\", or leave [flow] out");
+  warn_of_openings(*bag, table.place());
+  warn_of_shielding(*bag, table.place());
   for (std::size_t i = 0; i < bag->rim.size(); ++i)
     flow.nodes.insert(flow.nodes.end(), {bag->rim[i], bag->rim[(i + 1) % bag->rim.size()]});
   put_in_reach(bag->ahead, 0);
@@ -91,10 +96,13 @@ std::optional<Bag> FlowReader::find_bag(formats::TableReader& table) const {
   for (const char* key : {kBehind, kAhead})
     if (table.has(key))
       table.error(key, "needs the rim of the mouth", "add rim = [\"PART.EDGE\", …], a closed curve of edges");
-  auto bag = gear_.bag();
+  std::string why_not;
+  auto bag = gear_.bag(why_not);
   if (!bag)
     table.error(
-        "type", "the scene has no mouth through which water could enter a net",
+        "type",
+        "the scene has no mouth through which water could enter a net" +
+            (why_not.empty() ? "" : ": " + why_not),
         "give one rope of the net plan role = \"headline\" and one role = \"footrope\", both with stands "
         "= \"middle\"; or name the rim and the netting: rim = [\"net.fore\"], behind = [\"net\"]");
   return bag;
@@ -109,6 +117,7 @@ Bag FlowReader::read_bag(formats::TableReader& table) const {
     if (std::ranges::count(bag.behind, bag.ahead[i]))
       table.error(kAhead, formats::in_quotes(draft_.out.scene.parts[bag.ahead[i]].name) +
                               " is behind the mouth, too; name it once");
+  if (diagnostics_.errors() == 0) bag.open = find_openings(bag);
   return bag;
 }
 
@@ -162,9 +171,64 @@ std::vector<std::uint32_t> FlowReader::read_parts(formats::TableReader& table, c
     if (type && !sees_water(*type))
       diagnostics_.error(mention.place, mention.path + ": " + formats::in_quotes(names[i]) +
                                             " has no drag that depends on the water");
-    if (type) parts.push_back(static_cast<std::uint32_t>(*part));
+    if (!type) continue;
+    if (std::ranges::count(parts, *part))
+      diagnostics_.error(mention.place,
+                         mention.path + ": " + formats::in_quotes(names[i]) + " is named twice");
+    parts.push_back(static_cast<std::uint32_t>(*part));
   }
   return parts;
+}
+
+/// Names of the netting behind the mouth with open edges apart from the rim and the plane of symmetry, y = 0.
+std::set<std::string> FlowReader::find_openings(const Bag& bag) const {
+  const Scene& scene = draft_.out.scene;
+  std::map<std::array<std::uint32_t, 2>, std::vector<std::uint32_t>> parts_at;  // of every edge of netting
+  for (const auto* parts : {&bag.behind, &bag.ahead})
+    for (const std::uint32_t p : *parts) {
+      const auto& nodes = scene.parts[p].nodes;
+      if (draft_.types[p]->element.stencil != NETLOFT_TRIANGLE) continue;
+      for (std::size_t n = 0; n < nodes.size(); ++n) {
+        const auto [a, b] = std::minmax(nodes[n], nodes[n % 3 == 2 ? n - 2 : n + 1]);
+        if (a != b) parts_at[{a, b}].push_back(p);
+      }
+    }
+  const std::set<std::uint32_t> rim(bag.rim.begin(), bag.rim.end());
+  std::set<std::string> open;
+  for (const auto& [edge, parts] : parts_at) {
+    const auto is_cut = [&](std::uint32_t node) { return scene.positions[3 * std::size_t{node} + 1] == 0; };
+    const bool is_closed = parts.size() > 1 || !std::ranges::count(bag.behind, parts[0]) ||
+                           (rim.contains(edge[0]) && rim.contains(edge[1])) ||
+                           (is_cut(edge[0]) && is_cut(edge[1]));
+    if (!is_closed) open.insert(scene.parts[parts[0]].name);
+  }
+  return open;
+}
+
+void FlowReader::warn_of_openings(const Bag& bag, const formats::Place& place) const {
+  if (bag.open.empty()) return;
+  std::string names;
+  for (const auto& name : bag.open) names += (names.empty() ? "" : ", ") + name;
+  diagnostics_.warning(place,
+                       "water leaves the bag through open edges, " + names +
+                           ": the flow supposes that all water that enters the mouth passes the netting",
+                       "close them, or name as `behind` all netting up to the cod-end");
+}
+
+/// Warns if a law of drag reduces the velocity that the flow reduces, too.
+void FlowReader::warn_of_shielding(const Bag& bag, const formats::Place& place) const {
+  for (const auto* parts : {&bag.behind, &bag.ahead})
+    for (const std::uint32_t p : *parts)
+      for (const auto& [slot, law] : draft_.out.scene.parts[p].laws) {
+        const auto given = law.parameters.find("shielding");
+        const double* factor = given == law.parameters.end() ? nullptr : std::get_if<double>(&given->second);
+        if (!factor || *factor == 1) continue;
+        diagnostics_.warning(place,
+                             "the " + slot + " of " + draft_.out.scene.parts[p].name +
+                                 " has a shielding other than 1, so that the water is slowed twice",
+                             "leave out shielding, or [flow]");
+        return;
+      }
 }
 
 void FlowReader::put_in_reach(const std::vector<std::uint32_t>& parts, double reach) {

@@ -24,6 +24,9 @@ class FlowReader {
   std::vector<std::uint32_t> read_rim(formats::TableReader& table) const;
   std::vector<std::uint32_t> read_parts(formats::TableReader& table, const char* key, const char* doc) const;
   bool turn_to_current(std::vector<std::uint32_t>& rim) const;
+  std::set<std::string> find_openings(const Bag& bag) const;
+  void warn_of_openings(const Bag& bag, const formats::Place& place) const;
+  void warn_of_shielding(const Bag& bag, const formats::Place& place) const;
   void put_in_reach(const std::vector<std::uint32_t>& parts, double reach);
 
   formats::TableReader& root_;

@@ -427,11 +427,12 @@ bool GearParts::sinks_into_bed(const std::set<std::uint32_t>& carried) const {
   });
 }
 
-/// The rope in the middle with a role, if there is exactly one; otherwise nullptr.
-const gears::RopeMesh* GearParts::rope_of_role(std::string_view role) const {
+/// The rope in the middle with a role; nullptr if there is none, with the reason. The plan has at most one.
+const gears::RopeMesh* GearParts::rope_of_role(const std::string& role, std::string& why_not) const {
   for (std::size_t r = 0; r < gear_.ropes.size(); ++r)
     if (gear_.ropes[r].rope->role == role && gear_.ropes[r].rope->stands == gears::Standing::middle)
       return &mesh().ropes[r];
+  why_not = "no rope in the middle of the net plan has the role " + role;
   return nullptr;
 }
 
@@ -448,15 +449,20 @@ bool GearParts::is_wing(const gears::GearPanel& panel) const {
   });
 }
 
-std::optional<Bag> GearParts::bag() const {
-  const gears::RopeMesh *headline = rope_of_role("headline"), *footrope = rope_of_role("footrope");
+std::optional<Bag> GearParts::bag(std::string& why_not) const {
+  const gears::RopeMesh *headline = rope_of_role("headline", why_not),
+                        *footrope = headline ? rope_of_role("footrope", why_not) : nullptr;
   if (!headline || !footrope) return {};
   Bag bag;
   for (const auto node : footrope->nodes) bag.rim.push_back(scene_node(node));
   for (auto node = headline->nodes.rbegin(); node != headline->nodes.rend(); ++node)
     bag.rim.push_back(scene_node(*node));
-  for (std::size_t p = 0; p < gear_.panels.size(); ++p)
-    (is_wing(gear_.panels[p]) ? bag.ahead : bag.behind).push_back(draft_.out.gear->panels[p]);
+  for (std::size_t p = 0; p < gear_.panels.size(); ++p) {
+    const bool wing = is_wing(gear_.panels[p]);
+    (wing ? bag.ahead : bag.behind).push_back(draft_.out.gear->panels[p]);
+    for (const auto& edge : gear_.panels[p].panel->open)
+      if (!wing) bag.open.insert(gear_.panels[p].panel->name + "." + edge.name);
+  }
   const auto bears_netting = [&](const gears::Rope& rope) {
     return std::ranges::any_of(plan_.hangings,
                                [&](const auto& hanging) { return hanging.rope == rope.name; });

@@ -38,7 +38,7 @@ class GearParts : public GearSteps {
   std::vector<std::pair<std::string, formats::Value>> contacts(
       const std::set<std::uint32_t>& carried) const override;
   bool sinks_into_bed(const std::set<std::uint32_t>& carried) const override;
-  std::optional<Bag> bag() const override;
+  std::optional<Bag> bag(std::string& why_not) const override;
   void add_holds() override;
   void follow_holds() override;
   void refuse_motions() const override;
@@ -65,7 +65,7 @@ class GearParts : public GearSteps {
   void add_parts();
   /// Records that a part has a node of the gear.
   void own(std::uint32_t gear_node, const Joiner::OwnNode& node);
-  const gears::RopeMesh* rope_of_role(std::string_view role) const;
+  const gears::RopeMesh* rope_of_role(const std::string& role, std::string& why_not) const;
   bool is_wing(const gears::GearPanel& panel) const;
   void hold_middle();
   void hold_blocks();

@@ -20,6 +20,7 @@ struct Bag {
   // Indices of parts. `behind`: the netting behind the mouth; `ahead`: wings, ropes on which netting hangs,
   // and parts that these carry.
   std::vector<std::uint32_t> behind, ahead;
+  std::set<std::string> open;  // edges behind the mouth through which water leaves the bag
 };
 
 /// The steps of reading a scene that concern a net plan, in their order. In this class, which serves scenes
@@ -56,9 +57,9 @@ class GearSteps {
   /// Whether a towed gear would sink into the bed, because a part of its footrope has no contact. `carried`
   /// are the nodes with contact.
   virtual bool sinks_into_bed(const std::set<std::uint32_t>&) const { return false; }
-  /// The bag of the net, for flows that slow the water in it; nullopt if the plan has no mouth. Nodes must be
-  /// numbered.
-  virtual std::optional<Bag> bag() const { return {}; }
+  /// The bag of the net, for flows that slow the water in it; nullopt if the plan has no mouth, with the
+  /// reason in `why_not`. Nodes must be numbered.
+  virtual std::optional<Bag> bag(std::string& /*why_not*/) const { return {}; }
   /// Holds the plane of symmetry of half a gear, and the blocks of the ship.
   virtual void add_holds() {}
   /// Fits the initial shape to the positions of held nodes.

@@ -36,6 +36,7 @@ COMMANDS = {  # what it is called with
     "library_gears.py": (PROGRAM, LIBRARY, "--nodes", "100", "--only", "flume-3.0kn"),
     "knots.py": (PROGRAM, "codend.toml", "--nodes", "100"),
     "slowed_water.py": (PROGRAM, LIBRARY, "--times", "1", "--nodes", "100", "--only", "two-panel"),
+    "hard_flows.py": (PROGRAM.parent / "hard_cases", SOURCE / "tests/stability", "--sizes", "small", "--check"),
     "steering.py": (SOURCE,),
     "stage_counts.py": (PROGRAM, SOURCE, "--only", "cod-end"),
     "attempts.py": (PROGRAM, SOURCE, "--nodes", "100", "--only", "flume-3.0kn"),

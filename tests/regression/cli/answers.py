@@ -11,7 +11,7 @@ panel="gear-library/scenes/dead-weight-panel.toml --set parts.net.cells=[8,8]"
 rope="gear-library/scenes/dynamics/released-rope.toml --set analysis.output_interval=0.002 --set analysis.duration=1000"  # no machine ends it before it is killed
 flume="gear-library/scenes/83-112-flume-3.0kn.toml"
 plan="gear-library/gears/four-panel.toml"
-sea="gear-library/scenes/83-112-at-sea-66m.toml --set gear.nodes=100"
+sea="gear-library/scenes/83-112-at-sea-66m.toml --set gear.nodes=100 --set flow.type=none"  # some commands make it a motion
 suite=tests/stability
 full_disk() { LD_PRELOAD=$FULL_DISK NETLOFT_DISK_BYTES=$1 "${@:2}"; }
 killed() {

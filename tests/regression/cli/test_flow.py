@@ -35,6 +35,7 @@ area = {{ of = "flow", take = "sum mouth_area" }}
 """
 FLOW = '[flow]\ntype = "flow/momentum"\n'
 TRAWL = SOURCE / "gear-library/scenes/two-panel.toml"
+COD_LINE = '[[join]]                                       # the cod line: the starboard half sewn to that to port\nedges = ["bag.aft", "bag.aft"]\n'
 
 
 class Flow(InFreshFolder):
@@ -163,7 +164,16 @@ class Flow(InFreshFolder):
             (screen.replace(rim + "\n", ""), "needs the rim of the mouth"),
             (screen.replace(rim + "\n", "").replace('behind = ["net"]\n', ""), "the scene has no mouth"),
             (screen.replace('type = "priour/triangle"', 'type = "flow/momentum"', 1), "is no part of a gear"),
-            (f'include = ["{TRAWL}"]\n{FLOW}[ropes.headline]\nrole = "warp"\n', "the scene has no mouth"),
+            (screen.replace("[flow]", "[[flow]]"), "flow is an array"),
+            (screen.replace(rim, 'rim = "net.fore"'), "flow.rim"),
+            (screen.replace(rim, 'rim = ["net.fore", "net.fore"]'), "encloses no area across the current"),
+            (screen.replace(rim, 'rim = ["net"]'), "flow.rim"),
+            (screen.replace('behind = ["net"]', "behind = 3"), "flow.behind"),
+            (screen.replace('behind = ["net"]', 'behind = ["net", "net"]'), '"net" is named twice'),
+            (screen.replace("[1.5, 0, 0]", "[0, 1.5, 0]"), "encloses no area across the current"),
+            (f'include = ["{TRAWL}"]\n{FLOW}[ropes.headline]\nrole = "warp"\n',
+             "the scene has no mouth through which water could enter a net: no rope in the middle of the net plan has the role headline"),
+            (f'include = ["{TRAWL}"]\n{FLOW}[ropes.footrope]\nrole = "headline"\n', "headline is the headline already"),
             (f'include = ["{TRAWL}"]\n{FLOW}[elements.ropes]\ntype = "flow/momentum"\n', "is no part of a gear"),
             (screen + "[analysis]\nkind = \"dynamic\"\nduration = 1\n", "cannot be used in a motion"),
             (screen + "[analysis]\ntangent = \"elastic\"\n", 'needs analysis.tangent = "exact"'),
@@ -172,10 +182,36 @@ class Flow(InFreshFolder):
             with self.subTest(says):
                 self.refused(text, says)
 
+    def said_by_run(self, text, sentence, *words):
+        self.write("scene.toml", text)
+        ended = self.netloft("run", "scene.toml", *words)
+        self.assertIn(sentence, ended.out + ended.err)
+
+    def test_what_a_flow_cannot_mean_is_said(self):
+        screen = SCREEN.format(drag='"hydro/loland"', diameter=0.003, speed=SPEED)
+        bag = SCREEN.format(drag='{ law = "hydro/loland", shielding = 0.9 }', diameter=0.003, speed=SPEED)
+        # A second screen far aft is joined to nothing; a mouth of 1 m by 4 m has the drag of 16 m2 of dense netting behind it.
+        apart = screen.replace('behind = ["net"]', 'behind = ["net", "aft"]') + "".join(
+            "[parts" + part.replace("[0, ", "[9, ") for part in screen.split("[parts")[1:]).split("[[hold]]")[0].replace(".net]", ".aft]") \
+            + '[[hold]]\non = "aft"\n'
+        heavy = screen.replace('behind = ["net"]', 'behind = ["net"]\nahead = ["aft"]') + apart[apart.index("[parts.aft]"):].replace(
+            '"hydro/loland"', '{ law = "hydro/morison", normal = 100 }')
+        for text, sentence in ((bag, "has a shielding other than 1, so that the water is slowed twice"),
+                               (apart, "water leaves the bag through open edges, aft:"),
+                               (heavy, "would flow back through its netting")):
+            with self.subTest(sentence):
+                self.said_by_run(text, sentence)
+
+    def test_an_open_cod_end_is_said(self):
+        plan = (SOURCE / "gear-library/gears/two-panel.toml").read_text()
+        self.write("open.toml", plan.replace(COD_LINE, "").replace("[panels.bag]\n", '[panels.bag]\nopen = ["aft"]\n'))
+        scene = TRAWL.read_text().replace("../gears/two-panel.toml", "open.toml")
+        self.said_by_run(scene + FLOW, "water leaves the bag through open edges, bag.aft:", "--set", "gear.nodes=200")
+
     def test_still_water_is_said_to_have_no_effect(self):
         self.write("scene.toml", SCREEN.format(drag='"hydro/loland"', diameter=0.003, speed=0))
         ended = self.netloft("run", "scene.toml")
-        self.assertIn("[flow] has no effect", ended.err)
+        self.assertIn("[flow] has no effect, and the report has no figures of the water in the net", ended.err)
 
 
 if __name__ == "__main__":

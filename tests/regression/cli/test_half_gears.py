@@ -53,7 +53,9 @@ class HalfGears(InFreshFolder):
         same = [name for name in half if name in whole and name.split("/")[0] in ("mouth", "pairs", "towing", "ground", "rigging") and not name.endswith("_y")]
         self.assertGreater(len(same), 20)
         for name in same:
-            self.assertAlmostEqual(half[name], whole[name], delta=1e-8 * max(1, abs(half[name])), msg=name)
+            # Drag that nodes in the plane of symmetry bear is shared by both sides in the whole gear only.
+            relative = 1e-4 if name in ("mouth/water_speed", "mouth/filtered") else 1e-8
+            self.assertAlmostEqual(half[name], whole[name], delta=relative * max(1, abs(half[name])), msg=name)
 
     def test_take_what_is_symmetric(self):
         self.assertEqual(self.netloft("plan", str(FLUME), "--set", "parts.bed.seabed.slope_x=0.1").code, 0)

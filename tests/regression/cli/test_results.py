@@ -354,7 +354,7 @@ class Results(InFreshFolder):
         with h5py.File(self.folder / result) as f:
             points, names = f["VTKHDF/Points"][:], [n.decode() for n in f["netloft/parts/name"]]
             corners = sum(1 for kind in f["VTKHDF/Types"] if kind == 5) * 3
-        self.assertEqual({mesh["name"] for mesh in document["meshes"]}, set(names))
+        self.assertEqual({mesh["name"] for mesh in document["meshes"]}, set(names) - {"flow"})  # the rim of the mouth is no part of the gear
         triangles = [p for mesh in document["meshes"] for p in mesh["primitives"] if p["mode"] == 4]
         self.assertEqual(sum(document["accessors"][p["attributes"]["POSITION"]]["count"] for p in triangles), corners)
         boxes = [document["accessors"][p["attributes"]["POSITION"]] for mesh in document["meshes"] for p in mesh["primitives"]]

@@ -153,12 +153,14 @@ int run_hard_cases(const SuiteOptions& o) {
   Registry registry;
   program::find_plugins(o, registry);
   formats::Diagnostics diagnostics;
-  if (o.update_references && !o.set.empty())
-    throw program::UsageError{"--update-references stores answers of unchanged cases only; leave out --set"};
+  if (o.update_references && (!o.set.empty() || !o.flow.empty()))
+    throw program::UsageError{
+        "--update-references stores answers of unchanged cases only; leave out --set and --flow"};
   program::require_ending("-o", o.output, {".html", ".htm"});
   program::require_place(o.output, {});
   const std::filesystem::path folder = o.suite;
-  const Suite suite = read_suite(folder, o.seed, diagnostics);
+  Suite suite = read_suite(folder, o.seed, diagnostics);
+  if (!o.flow.empty()) keep_nets_in_current(suite, o.flow == "on");
   if (diagnostics.errors())
     return program::report_unready(diagnostics, PreparedScene::State::wrong_input, terminal);
   const auto columns = find_columns(suite, o, registry, terminal);

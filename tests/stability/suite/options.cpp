@@ -28,6 +28,10 @@ void add_cases(CLI::App& app, SuiteOptions& s) {
       ->delimiter(',')
       ->allow_extra_args(false);
   app.add_option("--case", s.pattern, "only cases whose name contains this")->type_name("TEXT");
+  app.add_option(
+         "--flow", s.flow,
+         "only nets in a current: on, in water that they slow; off, the same cases in undisturbed water")
+      ->check(CLI::IsMember({"on", "off"}));
   app.add_option("--seed", s.seed, "seed of the random numbers: another one changes all random cases")
       ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
 }

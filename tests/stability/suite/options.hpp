@@ -19,6 +19,7 @@ struct SuiteOptions : program::PluginOptions {
   std::vector<std::string> without;     // --without, may be repeated
   std::vector<std::string> sizes;       // --size
   std::string pattern;                  // --case
+  std::string flow;                     // --flow; empty: all cases, without a flow
   std::string output;                   // -o FILE.html
   std::uint64_t seed = 1;               // --seed
   double seconds = 0;                   // --seconds-per-case; 0: the default of the size

@@ -17,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSolvers = "solvers.toml";
+constexpr const char* kFlowDoc = "values by which the net slows the water, path=value";
 
 std::vector<std::string> read_words(TableReader& table, const char* key, const char* doc) {
   return table.texts(key, {.doc = doc, .fallback = std::vector<std::string>{}});
@@ -38,6 +39,7 @@ class GroupReader {
     TableReader root(document_.root(), diagnostics_);
     group_.scene = file_.parent_path() / root.text("scene", {.doc = "scene file, from here"});
     group_.overrides = read_words(root, "set", "values of the scene, path=value");
+    group_.flow = read_words(root, "flow", kFlowDoc);
     read_sizes(root.table("sizes"), group_.sizes);
     const formats::Value* cases = root.raw("case");
     const formats::Array* array = cases ? cases->as<formats::Array>() : nullptr;
@@ -78,6 +80,7 @@ class GroupReader {
     if (table.has("scene")) c.scene = file_.parent_path() / table.text("scene", {.doc = "scene file"});
     for (auto& word : read_words(table, "set", "values of the scene, path=value"))
       c.overrides.push_back(std::move(word));
+    if (table.has("flow")) c.flow = read_words(table, "flow", kFlowDoc);
     if (table.has("sizes")) c.sizes.clear(), read_sizes(table.table("sizes"), c.sizes);
     c.start = read_start(table, seed);
     const std::string expected = table.choice(
@@ -145,6 +148,15 @@ Suite read_suite(const fs::path& folder, std::uint64_t number, formats::Diagnost
     GroupReader(file, number, diagnostics, suite.cases).read();
   if (!diagnostics.errors()) suite.columns = read_columns(folder / kSolvers, diagnostics);
   return suite;
+}
+
+void keep_nets_in_current(Suite& suite, bool slowed) {
+  std::erase_if(suite.cases, [](const HardCase& c) { return c.flow.empty(); });
+  if (!slowed) return;
+  for (HardCase& c : suite.cases) {
+    c.overrides.insert(c.overrides.end(), c.flow.begin(), c.flow.end());
+    c.is_random = true;
+  }
 }
 
 const char* name_of(Expected expected) {

@@ -22,10 +22,11 @@ struct HardCase {
   std::filesystem::path scene;
   std::vector<std::string> overrides;                     // for all sizes
   std::map<std::string, std::vector<std::string>> sizes;  // "small" -> overrides
+  std::vector<std::string> flow;  // values by which the net slows the water; empty without a net in a current
   std::vector<StartStep> start;
   Expected expected = Expected::stable;
   bool neutral = false;    // some motion meets no force, so only the energy is compared
-  bool is_random = false;  // made from random numbers; its reference is the best equilibrium of the run
+  bool is_random = false;  // has no reference but the best equilibrium of the run
   std::string reference;   // name of the reference, which several cases may share
 };
 
@@ -42,6 +43,10 @@ inline const std::vector<std::string> kSizes{"small", "medium", "large"};
 /// random cases. The returned suite is valid only if there are no errors.
 Suite read_suite(const std::filesystem::path& folder, std::uint64_t number,
                  formats::Diagnostics& diagnostics);
+
+/// Leaves only the cases that have a flow, with it if `slowed`. No equilibrium in slowed water is known in
+/// advance, so that such cases are judged as random ones are.
+void keep_nets_in_current(Suite& suite, bool slowed);
 
 const char* name_of(Expected expected);
 

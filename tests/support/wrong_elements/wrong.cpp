@@ -354,7 +354,8 @@ template <class Flow>
 void add_flow(Plugin& plugin, const char* name, const char* found_by) {
   auto& flow = bar<FlowOn<Flow>>(plugin, name, found_by);
   flow.global("slowed", "1", "fraction of the speed that the water loses", nullptr, FlowOn<Flow>::start);
-  flow.template term<typename FlowOn<Flow>::Thrust, from_outside>("thrust", "what is wrong");
+  flow.template term<typename FlowOn<Flow>::Thrust, from_outside | needs_flow | reads_current>(
+      "thrust", "what is wrong");
 }
 
 struct NeverMade {
@@ -420,6 +421,10 @@ NETLOFT_PLUGIN("wrong", "1", "Elements that are wrong in one place each") {
   add_flow<SlowsInSteps>(plugin, "slows_in_steps", "water-has-its-derivatives");
   add_flow<SlowsTheNorth>(plugin, "slows_the_north", "water-turns-with-the-current");
   add_flow<TakesSides>(plugin, "takes_sides", "water-turns-with-the-current");
+  add_flow<RisesInStillWater>(plugin, "rises_in_still_water", "still-water-stays-still");
+  add_flow<LosesHalfTheMomentum>(plugin, "loses_half_the_momentum", "lost-momentum-is-the-drag");
+  add_flow<FacesEast>(plugin, "faces_east", "mouth-is-the-same-in-any-frame");
+  add_flow<CountsBars>(plugin, "counts_bars", "finer-rims-converge");
   add<DragAtRest, reads_current | needs_flow>(plugin, "undeclared_velocity", "reads-the-inputs-it-declares");
   auto& by_law = bar<DragByLaw>(plugin, "drag_by_law", "says-how-much-it-stands-for");
   by_law.law("drag", NETLOFT_TWINE_LAW, "hydro/morison", "force of the water");

@@ -128,6 +128,15 @@ TEST(Loland, HoldsTheForceOfNettingDenserThanAnyMeasured) {
   EXPECT_GT(coefficients<Loland>(30, 0.38), coefficients<Loland>(30, 0.34));
 }
 
+// C_D at S = 0.13 is 0.04 + (0.14270464 - 0.04) cos θ.
+TEST(Loland, IsProportionalToTheTwinesOfNettingThinnerThanAnyMeasured) {
+  for (const double S : {0.001, 0.05, 0.1}) {
+    EXPECT_NEAR(coefficients<Loland>(0, S).first, 0.14270464 / 0.13 * S, 1e-12) << S;
+    EXPECT_NEAR(coefficients<Loland>(90, S).first, 0.04 / 0.13 * S, 1e-12) << S;
+    EXPECT_NEAR(coefficients<Loland>(45, S).second, 0.02850328 / 0.13 * S, 1e-12) << S;
+  }
+}
+
 // Expected values: computed by hand from the published polynomials, S = 0.2.
 TEST(Loland, HasThePublishedCoefficients) {
   EXPECT_NEAR(coefficients<Loland>(0, 0.2).first, 0.28856, 1e-12);

@@ -70,7 +70,7 @@ TEST(LiveScene, ContinuesToWhereABatchRunArrives) {
 TEST(LiveScene, IsAfterARerunExactlyWhereABatchRunArrives) {
   Followed trawl("83-112-flume-3.0kn.toml", "150");
   ASSERT_EQ(trawl.follow().status, Status::converged);
-  const Outcome near = trawl.move("ropes.headrope.length", 25.4);
+  const Outcome near = trawl.move("ropes.headrope.length", 25.5);
   ASSERT_EQ(near.status, Status::converged);
   EXPECT_FALSE(near.is_as_run);
   const Outcome run = trawl.live.rerun(trawl.never);

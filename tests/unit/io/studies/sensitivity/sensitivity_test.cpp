@@ -60,13 +60,13 @@ TEST(Sensitivity, ObeysTheScalingOfForces) {
   EXPECT_NEAR(scaled("sag_z"), 0, 1e-12);
 }
 
-// Derivatives with respect to numbers of the flow, of shelter, of a rope and of a moving hold, compared with
+// Derivatives with respect to numbers of the flow, of a law and of a moving hold, compared with
 // central differences of equilibria.
 TEST(Sensitivity, IsTheChangeOfEquilibriaOfATrawl) {
   const std::vector<std::string> coarse{"gear.nodes=300", "analysis.tolerance=1e-10"};
   AtRest trawl("83-112-flume-3.0kn.toml", coarse);
   const Sensitivities found =
-      trawl.to({"tow.speed", "elements.netting.drag.shielding", "points.towing-point.at[1]"});
+      trawl.to({"tow.speed", "elements.netting.drag.measured_at", "points.towing-point.at[1]"});
   ASSERT_EQ(found.effects.size(), 3u);
   for (const NumberEffect& effect : found.effects) {
     const double h = 1e-4 * std::abs(effect.number.value);
