@@ -50,6 +50,24 @@ TEST(Bodies, HandOnTheGradientOfTheEnergyBesideTheResidual) {
   expect_gradient_beside_residual(a, a.moved(0.2));
 }
 
+/// With a third point beside the line of the others, positions of the points determine the rotation.
+TEST(Bodies, TurnWithThePositionsOfTheirPoints) {
+  Scene scene = link_on_a_rope();
+  scene.positions.insert(scene.positions.end(), {0, 0.5, -1.4});
+  scene.held.push_back(kAllAxes);
+  scene.labels.push_back({0, 5});
+  scene.bodies[0].points.push_back({5, {0, 0.5, 0}});
+  scene.carried.push_back(true);
+  Assembled a(std::move(scene));
+  std::vector<double> u(static_cast<std::size_t>(a.assembler.numbering().unknowns())),
+      x = a.assembler.start();
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] = 0.3 * std::cos(static_cast<double>(i));
+  a.assembler.place(u, x);
+  const auto found = a.assembler.displacements(a.assembler.node_positions(x));
+  ASSERT_EQ(found.size(), u.size());
+  for (std::size_t i = 0; i < u.size(); ++i) EXPECT_NEAR(found[i], u[i], 1e-12);
+}
+
 TEST(Bodies, HangPlumbBetweenTheirRopes) {
   Scene scene = link_on_a_rope();
   scene.bodies[0].held_rotation = kAxisX | kAxisZ;  // nothing resists a rotation about the vertical
