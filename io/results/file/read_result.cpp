@@ -94,6 +94,41 @@ void read_energies(const formats::Reader& reader, Motion& motion) {
   });
 }
 
+/// The largest tensions of twines as figures, from their tensions in the last state: older versions stored no
+/// such figures.
+std::vector<NamedScalar> read_twine_tensions(const formats::Reader& reader) {
+  std::map<std::string, double> largest;
+  if (!reader.has("/VTKHDF/Types") || !reader.has("/VTKHDF/Steps")) return {};
+  const auto names = names_or_nothing(reader, kRoot + "parts/name");
+  const auto types = reader.integers("/VTKHDF/Types");
+  const auto parts = reader.field(formats::Location::kCell, "part", 0);
+  for (const auto name : kTensions) {
+    if (!reader.has("/VTKHDF/CellData/" + std::string(name))) continue;
+    const auto tension = reader.field(formats::Location::kCell, std::string(name), reader.times().size() - 1);
+    for (std::size_t c = 0; c < std::min({tension.size(), types.size(), parts.size()}); ++c) {
+      if (types[c] != formats::kTriangle || !(parts[c] >= 0 && parts[c] < static_cast<double>(names.size())))
+        continue;
+      auto& of_part =
+          largest.try_emplace(names[static_cast<std::size_t>(parts[c])], NamedScalar::kUnknown).first->second;
+      of_part = std::fmax(of_part, tension[c]);
+    }
+  }
+  std::vector<NamedScalar> figures;
+  for (const auto& [part, tension] : largest)
+    figures.push_back({"panels/" + part + "/tension_largest", "N", "", tension});
+  return figures;
+}
+
+/// Adds loads to the materials, from the figures of the file and, if it is older, from its fields.
+void add_stored_loads(const formats::Reader& reader, Result& result) {
+  std::vector<NamedScalar> figures = result.figures;
+  if (std::ranges::none_of(figures, [](const auto& f) {
+        return f.name.starts_with("panels/") && f.name.ends_with("/tension_largest");
+      }))
+    for (NamedScalar& figure : read_twine_tensions(reader)) figures.push_back(std::move(figure));
+  add_loads(figures, result.materials);
+}
+
 void note_age(const formats::Reader& reader, Result& result) {
   if (!reader.has(kRoot + "parts/twine_axes"))
     result.notes.push_back(
@@ -124,7 +159,7 @@ Result read_result(const formats::Reader& reader, const std::filesystem::path& p
     visit_motion(file, result.motion.emplace());
     read_energies(reader, *result.motion);
   }
-  if (!result.materials.empty()) add_loads(result.figures, result.materials);
+  if (!result.materials.empty()) add_stored_loads(reader, result);
   if (!reader.has(kRoot + "cost/work")) result.warnings = load_warnings(result.materials);
   note_age(reader, result);
   return result;
