@@ -60,7 +60,7 @@ GearScene gear_scene(const char* file, std::vector<Number> own, const char* pane
 std::vector<GearScene> gear_scenes() {
   return {gear_scene("83-112-flume-3.0kn",
                      {{"speed of the tow", "tow.speed", 3, "kn"},
-                      {"position of a hold", "points.towing-point.at[2]", -18.76, "m"},
+                      {"position of a hold", "points.towing-point.at[2]", -19.6, "m"},
                       {"depth of the bed", "parts.bed.seabed.depth", 20, "m"}},
                      "panels.top-body.mesh", 101.6, 34.1),
           gear_scene("83-112-at-sea-66m",
