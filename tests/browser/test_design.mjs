@@ -185,6 +185,38 @@ test('files are exported, and errors of the mesh stand beside the figures', asyn
   assert.deepEqual(seen, {errors: [], requests: []});
 });
 
+test('a rope is added between two points that are clicked, and removed; what cannot be removed says why', async () => {
+  const {address} = await serve(), {page, seen} = await open(browser.context, address), first = await revision(page);
+  const text = () => page.evaluate(() => window.netloftDesigner.text.files[0].text), before = await text();
+  const select = (part) => page.evaluate((name) => {
+    const {viewer} = window.netloftDesigner.shape, r = viewer.result, p = r.parts.findIndex((one) => one.name === name);
+    viewer.selection.take('rope', r.barPart.lastIndexOf(p));
+  }, part);
+  await page.selectOption('#add-kind', 'rope');
+  await page.focus('#add-from');
+  assert.match(await page.textContent('#add-hint'), /from/);
+  await select('headrope');
+  assert.match(await page.textContent('#add-hint'), /to/);
+  await select('footrope');
+  const [from, to] = [await page.inputValue('#add-from'), await page.inputValue('#add-to')];
+  assert.notEqual(from, to);
+  await page.click('#add-form button');
+  await solved(page, first + 1);
+  assert.ok((await text()).includes(`between = ["${from}", "${to}"]`), await text());
+  await page.waitForFunction(() => [...document.querySelectorAll('#remove-part option')].some((o) => o.value === 'ropes.rope-1'), null, {timeout: 30000});
+  await page.selectOption('#remove-part', 'ropes.headrope');
+  await page.click('#remove-form button');
+  await page.waitForFunction(() => /headrope cannot be removed: .*there is no/.test(document.getElementById('said').textContent));
+  await page.selectOption('#remove-part', 'ropes.rope-1');
+  await page.click('#remove-form button');
+  await solved(page, first + 2);
+  assert.ok(!(await text()).includes('rope-1'));
+  await page.click('#undo');
+  await page.click('#undo');
+  await page.waitForFunction((t) => window.netloftDesigner.text.files[0].text === t, before);
+  assert.deepEqual([seen.errors.filter((e) => !/status of 422/.test(e)), seen.requests], [[], []]);  // the browser logs the refusal
+});
+
 test('the start stands beside the gear, at one scale, and differences are those from it', async () => {
   const {address} = await serve(), {page, seen} = await open(browser.context, address), first = await revision(page), h = await height(page);
   await openTable(page, 'tow');
@@ -220,7 +252,7 @@ test('the start stands beside the gear, at one scale, and differences are those 
 
 test('everything on the page is reached with the Tab key, and a number is changed by keys alone', async () => {
   const {address} = await serve(), {page} = await open(browser.context, address), first = await revision(page);
-  const wanted = await page.evaluate(() => ['undo', 'save-text', 'beside', 'keep-beside', 'export', 'do-export', 'tab-plan', 'canvas', 'filter', 'set', 'figure', 'ask-influences', 'moved', 'ask-sweep', 'ask-range', 'target', 'ask-reach', 'ask-errors'].filter((id) => !document.getElementById(id).disabled));
+  const wanted = await page.evaluate(() => ['undo', 'save-text', 'beside', 'keep-beside', 'export', 'do-export', 'tab-plan', 'canvas', 'filter', 'set', 'add-kind', 'add-count', 'remove-part', 'figure', 'ask-influences', 'moved', 'ask-sweep', 'ask-range', 'target', 'ask-reach', 'ask-errors'].filter((id) => !document.getElementById(id).disabled));
   const reached = new Set();
   await page.evaluate(() => { document.activeElement.blur(); document.querySelector('details[data-table="tow"]').open = true; });
   for (let i = 0; i < 300 && (reached.size === 0 || !wanted.every((id) => reached.has(id)) || !reached.has('tow.speed')); ++i) {

@@ -46,10 +46,10 @@ test('five floats more', async () => {
     const height = await figure(page, 'mouth/headline_height');
     const then = await revision(page);
     await page.selectOption('#add-float', '83-112-headline');
-    await page.selectOption('#add-rope', 'headrope');
+    await page.selectOption('#add-along', 'headrope');
     await page.click('#add-form button');
     await shown(page, then);
-    assert.match(await page.inputValue('#text'), /\[floats\.added-1\]|added-1 *= *\{/);
+    assert.match(await page.inputValue('#text'), /\[floats\.floats-1\]/);
     assert.ok(await figure(page, 'mouth/headline_height') > height, 'the headline rises');
     assert.match(await page.textContent('#keys'), /\+/);
   });

@@ -2,16 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Edits designs at random, and counts what `netloft serve` does wrong.
 
-    design_edits.py NETLOFT GEAR_LIBRARY [--edits 10000] [--gears 8] [--nodes 150] [--seed 1] [--table FILE]
+    design_edits.py NETLOFT GEAR_LIBRARY [--edits 10000] [--gears 7] [--nodes 150] [--seed 1] [--table FILE]
 
 Each gear is a copy of files of the library, with comments. Edits are new values of numbers, one or several before the answer to the last, other
-values of the plan, texts that are wrong or cut off, undo, redo, and files that another program changes. It prints a Markdown table and exits
-with 1 unless all of these counts are 0:
+values of the plan, parts that are added and removed, texts that are wrong or cut off, undo, redo, and files that another program changes. Last,
+the load of a truss of two bars is moved, which snaps through: every snap has to be said. It prints a Markdown table and exits with 1 unless
+all of these counts are 0:
     ended           the program or its solver ended, or a request was answered by neither its answer nor a sentence
     other figures   after `run`, a figure differs from that of `netloft run` of the saved file by more than 1e-9, or one of both found none
-    other lines     an edit of a number changed another line or a comment, or a saved file is not the text that was shown
+    other lines     an edit of a number changed another line or a comment, a refused part changed a text, or a saved file is not the text that was shown
     silent jumps    the shape is noticeably, and farther than the tangent led, from where it led, and nothing says so
-    no way back     after undoing everything, the texts are not the first ones, to the byte
+    no way back     after undoing a part or everything, the texts are not those before, to the byte
     memory          both processes together hold over 5 % more after the last quarter of the edits than after the second
 """
 import argparse
@@ -33,6 +34,29 @@ from pathlib import Path
 import numpy as np
 
 SCENES = ("83-112-flume-3.0kn", "gov-like-67m", "83-112-at-sea-66m", "four-panel", "two-panel", "pelagic-with-doors", "codend-from-plan")
+# Two bars, 2 m wide and 0.2 m high, that lean against each other; under about 30 N at the top they snap through (tests/unit/io/studies/truss.hpp).
+TRUSS = """[water]
+density = 0
+[parts.truss]
+type = "rope/bar"
+cells = 2
+length = 2.0396078054371140
+sketch = [[-1, 0, 0], [0, 0, 0.2], [1, 0, 0]]
+rope = { diameter = "10 mm", EA = 10000, EA_compression = 10000, density = 1e-6 }
+[parts.load]
+type = "force/constant"
+on = "truss.middle"
+force = { z = 1 }
+[[hold]]
+on = ["truss.start", "truss.end"]
+[[hold]]
+on = "truss.middle"
+axes = "y"
+[results]
+z = { of = "truss.middle", take = "z" }
+"""
+FOLD = 30.5  # N, a little more than the load of the fold
+MOVES_OF_TRUSS = 60
 HARMS = ("ended", "other figures", "other lines", "silent jumps", "no way back", "memory")
 SAME = 1e-9
 NOTICED = 3e-3  # of the extent of the shape: three times the fraction of the sketch's that the program notices
@@ -54,12 +78,12 @@ def points_of(packed):
 class Design:
     """A program that serves a copy of a scene."""
 
-    def __init__(self, program, library, scene, nodes):
+    def __init__(self, program, library, text):
         self.keeper = tempfile.TemporaryDirectory()
         self.folder, self.program = Path(self.keeper.name), program
         for name in ("gears", "scenes"):
             shutil.copytree(library / name, self.folder / name, ignore=shutil.ignore_patterns("dynamics", "validation", "verification"))
-        (self.folder / "own.toml").write_text(f'# a design\ninclude = ["scenes/{scene}.toml"]   # of the library\n[gear]\nnodes = {nodes}   # few\n')
+        (self.folder / "own.toml").write_text(text)
         self.process = subprocess.Popen([program, "serve", "own.toml", "--json", "--threads", "1"], cwd=self.folder, stdout=subprocess.PIPE,
                                         stderr=subprocess.DEVNULL, text=True)
         host, self.token = re.fullmatch(r"http://(.*?)/(\w+)/", json.loads(self.process.stdout.readline())["address"]).groups()
@@ -102,7 +126,7 @@ class Editor:
 
     def __init__(self, design, chance):
         self.design, self.chance, self.counts = design, chance, {harm: 0 for harm in HARMS}
-        self.said, self.done, self.runs, self.jumps = [], {}, 0, 0
+        self.said, self.done, self.runs, self.jumps, self.parts = [], {}, 0, 0, 0
         self.first = self.attempt(self.begin)
         self.memories = []
 
@@ -120,7 +144,8 @@ class Editor:
         return None
 
     def edit(self, count):
-        kinds = ((self.move, 30), (self.hurry, 30), (self.compare_ghost, 8), (self.other_value, 8), (self.spoil, 8), (self.take_back, 12), (self.by_another, 1), (self.compare_run, 3))
+        kinds = ((self.move, 30), (self.hurry, 30), (self.compare_ghost, 8), (self.other_value, 8), (self.spoil, 8), (self.take_back, 12), (self.by_another, 1), (self.compare_run, 3),
+                 (self.add_part, 5), (self.remove_part, 5))
         for i in range(count):
             work = self.chance.choices([k for k, _ in kinds], [w for _, w in kinds])[0]
             self.done[work.__name__] = self.done.get(work.__name__, 0) + 1
@@ -199,6 +224,36 @@ class Editor:
             time.sleep(0.1)
         raise Harm("other lines", f"{name} was changed by another program and not read again")
 
+    def add_part(self):
+        found = self.design.ask("parts")
+        if not found:
+            return
+        kind, choices = self.chance.choice(found["templates"]), {}
+        for field in kind["fields"]:
+            if field["choices"]:
+                choices[field["name"]] = self.chance.choice(field["choices"])
+            elif self.chance.random() < 0.5:
+                choices[field["name"]] = self.chance.choice((1, 3, 12, 2.5)) if field["of"] == "metres" else self.chance.randint(1, 40)
+        self.change_parts("add", kind=kind["kind"], **choices)
+
+    def remove_part(self):
+        found = self.design.ask("parts")
+        if found and found["parts"]:
+            self.change_parts("remove", part=self.chance.choice(found["parts"]))
+
+    def change_parts(self, request, **body):
+        before = self.design.texts()
+        answer = self.design.ask(request, wait=self.chance.random() < 0.8, **body)
+        if answer is None and self.design.texts() != before:
+            raise Harm("other lines", f"{request} {body} was refused and has changed a text")
+        if answer is None:
+            return
+        self.parts += 1
+        if self.chance.random() < 0.7:
+            self.design.ask("undo")
+            if self.design.texts() != before:
+                raise Harm("no way back", f"{request} {body} was undone, and the text is another one")
+
     # ---- what must be
 
     def look_at_lines(self, before, after, edit):
@@ -275,14 +330,35 @@ class Editor:
 
 def edit_gear(options, scene, index):
     """A row of the table, and what is to say about it."""
-    design = Design(str(Path(options.netloft).resolve()), options.library.resolve(), scene, options.nodes)
+    text = f'# a design\ninclude = ["scenes/{scene}.toml"]   # of the library\n[gear]\nnodes = {options.nodes}   # few\n'
+    design = Design(str(Path(options.netloft).resolve()), options.library.resolve(), text)
     editor = Editor(design, random.Random(f"{options.seed} {scene}"))
     share = options.edits // options.gears + (index < options.edits % options.gears)
     if editor.first:
         editor.edit(share)
     design.end()
     growth = getattr(editor, "growth", None)
-    return [scene, share, editor.runs, editor.jumps, "" if growth is None else f"{100 * (growth - 1):+.1f} %", *editor.counts.values()], editor.said
+    return [scene, share, editor.runs, editor.parts, editor.jumps, "" if growth is None else f"{100 * (growth - 1):+.1f} %", *editor.counts.values()], editor.said
+
+
+def snap_truss(options):
+    """The row of the truss: its load goes up and down beyond that of the fold."""
+    design, chance, counts, said = Design(str(Path(options.netloft).resolve()), options.library.resolve(), TRUSS), random.Random(options.seed), dict.fromkeys(HARMS, 0), []
+    height = lambda outcome: next(f["value"] for f in outcome["figures"] if f["name"] == "z")
+    z, jumps, snaps = height(design.ask("solve")), 0, 0
+    for _ in range(MOVES_OF_TRUSS):
+        load = FOLD * chance.uniform(-1.4, 1.4)
+        outcome = design.ask("apply", path="parts.load.force.z", to=round(load, 2), wait=True)["outcome"]
+        has_snapped = height(outcome) * z < 0
+        jumps, snaps, z = jumps + (outcome["jump"] is not None), snaps + has_snapped, height(outcome)
+        if has_snapped and not outcome["jump"]:
+            counts["silent jumps"] += 1
+            said.append(f"the truss snapped under {load} N")
+    design.end()
+    if not snaps:
+        counts["silent jumps"] += 1
+        said.append("the truss never snapped")
+    return ["truss that snaps", MOVES_OF_TRUSS, 0, 0, jumps, "", *counts.values()], said
 
 
 def main():
@@ -295,12 +371,13 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--table", type=Path)
     options = parser.parse_args()
-    lines = ["| gear | edits | runs compared | jumps said | memory grew | " + " | ".join(HARMS) + " |", "|---" * (5 + len(HARMS)) + "|"]
+    lines = ["| gear | edits | runs compared | parts changed | jumps said | memory grew | " + " | ".join(HARMS) + " |", "|---" * (6 + len(HARMS)) + "|"]
     print("\n".join(lines))
     harm = 0
-    for index, scene in enumerate(SCENES[:options.gears]):
-        row, said = edit_gear(options, scene, index)
-        harm += sum(row[5:])
+    rows = [lambda scene=scene, index=index: edit_gear(options, scene, index) for index, scene in enumerate(SCENES[:options.gears])]
+    for make in (*rows, lambda: snap_truss(options)):
+        row, said = make()
+        harm += sum(row[6:])
         lines.append("| " + " | ".join(map(str, row)) + " |")
         print(lines[-1], *said, sep="\n", flush=True)
         if options.table:

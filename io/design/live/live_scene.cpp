@@ -345,6 +345,32 @@ formats::Diagnostics LiveScene::check() {
   return said;
 }
 
+formats::Diagnostics LiveScene::check(const std::filesystem::path& file, const formats::StoredTexts& texts) {
+  formats::Diagnostics said;
+  bool refused = false;
+  source_.scene.with_texts(file, texts).check_plan({}, registry_, said, refused);
+  return said;
+}
+
+std::map<std::string, std::uint32_t> LiveScene::points_of_plan() const {
+  std::map<std::string, std::uint32_t> nodes;
+  if (!last_ || !last_->scene->loaded().gear) return nodes;
+  const scenes::LoadedScene& loaded = last_->scene->loaded();
+  const auto put = [&](std::string name, std::uint32_t node) {
+    constexpr std::string_view kStarboard = "starboard-", kEndInMesh = ".starboard";
+    if (name.starts_with("port-") || name.ends_with(".port")) return;
+    if (name.starts_with(kStarboard)) name.erase(0, kStarboard.size());
+    if (name.ends_with(kEndInMesh)) name.replace(name.size() - kEndInMesh.size(), kEndInMesh.size(), ".end");
+    nodes.emplace(std::move(name), node);
+  };
+  for (const auto& [name, node] : loaded.gear->points) put(name, node);
+  for (std::size_t b = 0; b < loaded.bodies.size(); ++b)
+    for (std::size_t i = 0; i < loaded.bodies[b].points.size() && loaded.bodies[b].side > 0; ++i)
+      put(loaded.scene.bodies[b].name + "." + loaded.bodies[b].points[i],
+          loaded.scene.bodies[b].points[i].node);
+  return nodes;
+}
+
 std::optional<formats::DrawingSize> LiveScene::draw_plan(formats::LineDrawing& picture) {
   formats::Diagnostics said;
   bool refused = false;

@@ -95,6 +95,11 @@ class LiveScene {
   results::StoredShape shape() const;
   /// All messages about the plan of the last text, its warnings with tried cures.
   formats::Diagnostics check();
+  /// All messages about a plan that is only considered.
+  formats::Diagnostics check(const std::filesystem::path& file, const formats::StoredTexts& texts);
+  /// The nodes of the points of the plan in the last equilibrium, by their names in the plan, such as
+  /// "headrope.end"; of pairs the starboard one. Empty without an equilibrium or a plan.
+  std::map<std::string, std::uint32_t> points_of_plan() const;
   /// Draws the plan of the last text, and returns the size of the drawing; nullopt without a plan, or if it
   /// has errors.
   std::optional<formats::DrawingSize> draw_plan(formats::LineDrawing& picture);

@@ -14,7 +14,8 @@ class Designer {
     this.numbers = new NumberList($('number-list'), (...move) => this.moved(...move), (path) => this.shape.prepare(path));
     this.text = new TextPane(this.server, (file, text) => this.apply({file, text, goes_on: true}));
     this.questions = new Questions(this.server, (path, to) => this.apply({path, to}), (path) => { $('filter').value = path; this.numbers.filter(path); this.questions.choose(path); });
-    this.shape.onPart = (part) => { this.numbers.open(part); this.text.scrollTo(part); };
+    this.parts = new PartsForm(this.server, (choices) => this.apply(choices, 'add'), (part) => this.apply({part}, 'remove'));
+    this.shape.onPart = (part, place) => { if (!this.parts.take(part, place)) { this.numbers.open(part); this.text.scrollTo(part); } };
     this.connectButtons();
     this.connectPlan();
   }
@@ -43,7 +44,6 @@ class Designer {
     press('stop', async () => { $('stop').hidden = true; await this.server.ask('stop'); });
     press('dismiss', async () => { $('notice').hidden = true; });
     $('set-form').addEventListener('submit', (event) => { event.preventDefault(); this.apply({set: $('set').value}); });
-    $('add-form').addEventListener('submit', (event) => { event.preventDefault(); this.addFloats(Number($('add-count').value), $('add-float').value, $('add-rope').value); });
     document.addEventListener('keydown', (event) => {
       const isUndo = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === 'z';
       if (!isUndo || /^(TEXTAREA|INPUT)$/.test(document.activeElement.tagName) && document.activeElement.type !== 'range') return;
@@ -79,23 +79,6 @@ class Designer {
   showReport(figures) {
     $('compared-with').textContent = this.beside ? this.beside.name : 'at the start';
     showReport(comparedWith(figures, this.beside));
-  }
-
-  /** The floats of the catalogue, and the ropes of the gear. */
-  async fillAdding() {
-    const {names} = await this.server.ask('catalogue', {kind: 'float'});
-    const ropes = [...new Set(this.list.map((n) => /^ropes\.([^.]+)\./.exec(n.path)).filter(Boolean).map((found) => found[1]))];
-    const fill = (select, values) => { const {value} = select; select.replaceChildren(...values.map((v) => element('option', {value: v}, v))); if (values.includes(value)) select.value = value; };
-    fill($('add-float'), names);
-    fill($('add-rope'), ropes);
-    $('add-form').hidden = !names.length || !ropes.length;
-  }
-
-  /** Adds a row of floats under a name that no file has yet. */
-  addFloats(count, float, rope) {
-    let name = 1;
-    while (this.text.files.some((f) => f.text.includes(`added-${name}`))) ++name;
-    return this.apply({set: `floats.added-${name}={float="${float}",spread="${count} along ${rope}"}`});
   }
 
   /** Gives a file to the browser, which writes it where it writes downloads. */
@@ -147,10 +130,10 @@ class Designer {
     this.rest = setTimeout(() => { this.rest = null; this.gesture = isMoving ? path : null; this.apply({path, to: value, goes_on: goesOn}); }, isMoving ? REST : 0);
   }
 
-  async apply(change) {
+  async apply(change, request = 'apply') {
     await this.attempt(async () => {
       this.begun = this.moving ? this.moving.at : performance.now();
-      const state = await this.server.ask('apply', change);
+      const state = await this.server.ask(request, change);
       this.wanted = state.revision;
       this.showState(state);
     });
@@ -249,7 +232,7 @@ class Designer {
     this.showMaterials(await this.server.ask('report'));
     this.list = (await this.server.ask('state')).numbers;
     this.numbers.show(this.list);
-    await this.fillAdding();
+    await this.parts.refresh();
     document.documentElement.dataset.ready = 'yes';
   }
 

@@ -50,7 +50,13 @@ class Shape {
     this.putBeside();
     this.viewer.drawNow();
     window.netloftViewer = this.viewer;
-    this.viewer.canvas.addEventListener('selected', (event) => { if (event.detail && this.onPart) this.onPart(event.detail); });
+    this.viewer.canvas.addEventListener('selected', (event) => { if (event.detail && this.onPart) this.onPart(event.detail, this.placeSelected()); });
+  }
+
+  /** Where the selected element is, on the starboard side [m]. */
+  placeSelected() {
+    const {hit, model} = this.viewer.selection, {origin} = model.result;
+    return placeOfHit(model, {...hit, mirrored: false}).map((v, d) => v + origin[d]);
   }
 
   /** Takes over an equilibrium. */

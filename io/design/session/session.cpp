@@ -8,6 +8,7 @@
 #include "io/formats/work/long_work.hpp"
 #include "io/gears/catalogue/catalogue.hpp"
 #include "io/gears/catalogue/folders.hpp"
+#include "io/gears/plan/read_plan.hpp"
 
 #include <algorithm>
 #include <array>
@@ -29,7 +30,57 @@ bool was_interrupted(const Json& outcome) {
   return outcome["status"] == name_of(Outcome::Status::interrupted);
 }
 
+std::vector<std::filesystem::path> folders_of(const SceneTexts& texts, const formats::Value& root,
+                                              formats::Diagnostics& said) {
+  const std::filesystem::path folder = texts.file().parent_path();
+  return gears::catalogue_folders(said, gears::named_folders(root, folder.empty() ? "." : folder, said));
+}
+
+Json template_json(const PartTemplate& kind, const PartedGear& gear) {
+  Json fields = Json::array();
+  for (const PartField& field : kind.fields)
+    fields.push_back({{"name", field.name},
+                      {"of", field.of},
+                      {"words", field.words},
+                      {"usual", field.usual},
+                      {"choices", choices_of(field, gear)}});
+  return {{"kind", kind.kind}, {"doc", kind.doc}, {"fields", fields}};
+}
+
+/// A choice as it stands in the text: 5, 2.5, or a name.
+std::string choice_in(const Json& value, const char* name) {
+  if (value.is_string()) return value;
+  if (!value.is_number()) throw WrongRequest("\"" + std::string(name) + "\" is neither a number nor a text");
+  return formats::format(value.get<double>());
+}
+
+/// The messages that are not among those that were known.
+Json new_messages(const Json& messages, const Json& known) {
+  Json fresh = Json::array();
+  for (const Json& one : messages)
+    if (std::ranges::none_of(known, [&](const Json& other) { return other["message"] == one["message"]; }))
+      fresh.push_back(one);
+  return fresh;
+}
+
+std::string sentences_of(const Json& messages) {
+  std::string text;
+  for (const Json& one : messages)
+    if (one["severity"] == "error") text += (text.empty() ? "" : "; ") + one["message"].get<std::string>();
+  return text;
+}
+
 }  // namespace
+
+/// Texts that a request may lead to.
+struct Session::PartsChange {
+  SceneTexts texts;
+  std::vector<Edit> edits;
+  Json messages;  // of the check, as far as they are new
+
+  /// 0: nothing new; 1: new warnings; 2: new errors.
+  int rank() const { return sentences_of(messages).empty() ? !messages.empty() : 2; }
+};
 
 Session::Session(const std::filesystem::path& scene, const std::filesystem::path& library, SolverCall solver,
                  std::string beside)
@@ -71,7 +122,9 @@ const std::map<std::string, Session::Request>& Session::requests() {
       {"save", &Session::save},           {"check", &Session::check},
       {"solve", &Session::solve},         {"run", &Session::run},
       {"stop", &Session::stop},           {"report", &Session::report},
-      {"catalogue", &Session::catalogue}, {"beside", &Session::beside}};
+      {"catalogue", &Session::catalogue}, {"beside", &Session::beside},
+      {"parts", &Session::parts},         {"add", &Session::add},
+      {"remove", &Session::remove}};
   return all;
 }
 
@@ -195,14 +248,103 @@ Json Session::catalogue(const Json& body) {
   formats::Diagnostics unheard;
   const auto folders = [&] {
     const std::lock_guard lock(mutex_);
-    const std::filesystem::path folder = texts_.file().parent_path();
-    return gears::named_folders(texts_.document(unheard).root(), folder.empty() ? "." : folder, unheard);
+    return folders_of(texts_, texts_.document(unheard).root(), unheard);
   }();
   Json names = Json::array();
-  for (const gears::CataloguePart& part :
-       gears::Catalogue::load(gears::catalogue_folders(unheard, folders), unheard).parts())
+  for (const gears::CataloguePart& part : gears::Catalogue::load(folders, unheard).parts())
     if (part.kind->name == kind) names.push_back(part.name);
   return {{"names", names}};
+}
+
+// ---- parts
+
+PartedGear Session::parted_gear(const SceneTexts& texts) const {
+  formats::Diagnostics said, unheard;
+  PartedGear gear{texts.document(said).root(), {}, {}, {}};
+  if (said.errors()) throw Refused("the text has an error; correct it first: " + first_error_of(said));
+  gear.catalogue = gears::Catalogue::load(folders_of(texts, gear.root, unheard), unheard);
+  if (gears::holds_plan(gear.root))
+    gear.plan = gears::read_plan(gears::tables_of_plan(gear.root), gear.catalogue, unheard);
+  return gear;
+}
+
+/// The kinds of parts that can be added, with what can be chosen, the parts that can be removed, and the
+/// points of the gear.
+Json Session::parts(const Json&) {
+  return on_worker([this] {
+    const PartedGear gear = parted_gear(copy_of_texts());
+    Json json = call("points", Json::object());
+    json["parts"] = parts_of(gear.root);
+    json["templates"] = Json::array();
+    for (const PartTemplate& kind : part_templates()) json["templates"].push_back(template_json(kind, gear));
+    return json;
+  });
+}
+
+Json Session::add(const Json& body) {
+  const std::string name = text_in(body, "kind");
+  const auto kind = std::ranges::find(part_templates(), name, &PartTemplate::kind);
+  if (kind == part_templates().end()) throw WrongRequest("there is no template \"" + name + "\"");
+  PartChoices choices;
+  for (const PartField& field : kind->fields)
+    if (body.contains(field.name)) choices[field.name] = choice_in(body[field.name], field.name);
+  return change_parts(body, [&](const PartedGear& gear) {
+    return Proposal{with_part(gear, *kind, choices), "this part cannot be added"};
+  });
+}
+
+Json Session::remove(const Json& body) {
+  const std::string part = text_in(body, "part");
+  return change_parts(body, [&](const PartedGear& gear) {
+    return Proposal{{without_part(gear.root, part)}, part + " cannot be removed"};
+  });
+}
+
+/// Changes the text to the first proposed document about which the check has nothing new to say, or else to
+/// the first without a new error.
+Json Session::change_parts(const Json& body, const std::function<Proposal(const PartedGear&)>& propose) {
+  Json answer = on_worker([&] {
+    const SceneTexts before = copy_of_texts();
+    PartedGear gear = parted_gear(before);
+    const Json points = call("points", Json::object());
+    for (const Json& point : points["points"]) gear.points[point["name"]] = point["at"];
+    const Proposal proposal = propose(gear);
+    const Json known = messages_of(before);
+    std::optional<PartsChange> best;
+    for (const formats::Value& document : proposal.documents) {
+      PartsChange change{before, {}, {}};
+      change.edits = change.texts.become(document);
+      change.messages = new_messages(messages_of(change.texts), known);
+      if (!best || change.rank() < best->rank()) best = std::move(change);
+      if (best->messages.empty()) break;
+    }
+    if (best->rank() > 1) throw Refused(proposal.refusal + ": " + sentences_of(best->messages));
+    return take_parts(before, std::move(*best));
+  });
+  if (flag_in(body, "wait")) answer["outcome"] = wait_for(answer["revision"]);
+  return answer;
+}
+
+SceneTexts Session::copy_of_texts() const {
+  const std::lock_guard lock(mutex_);
+  return texts_;
+}
+
+Json Session::messages_of(const SceneTexts& texts) {
+  return call("consider", {{"file", texts.file().string()}, {"texts", texts.own()}})["messages"];
+}
+
+/// Takes over changed texts, unless somebody has changed them meanwhile.
+Json Session::take_parts(const SceneTexts& before, PartsChange change) {
+  const std::lock_guard lock(mutex_);
+  if (texts_.own() != before.own() || texts_.file() != before.file()) throw formats::Interrupted{};
+  texts_ = std::move(change.texts);
+  note_change(std::nullopt);
+  Json json = text_state();
+  json["edits"] = Json::array();
+  for (const Edit& edit : change.edits) json["edits"].push_back(edit_json(edit, before.own()));
+  json["new_messages"] = std::move(change.messages);
+  return json;
 }
 
 /// Announces that the text has changed, and cancels the search for an older text. The caller must hold the

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "io/design/parts/gear_parts.hpp"
 #include "io/design/solver/replies.hpp"
 #include "io/design/solver/solver_call.hpp"
 #include "io/design/texts/scene_texts.hpp"
@@ -58,6 +59,9 @@ class Session {
   Json save(const Json& body);
   Json check(const Json& body);
   Json catalogue(const Json& body);
+  Json parts(const Json& body);
+  Json add(const Json& body);
+  Json remove(const Json& body);
   // requests about the equilibrium, which the worker answers
   Json solve(const Json& body);
   Json run(const Json& body);
@@ -71,6 +75,17 @@ class Session {
     std::uint64_t revision;
     std::optional<MovedNumber> moved;
   };
+  /// Documents that a request may lead to, and the sentence that begins a refusal.
+  struct Proposal {
+    std::vector<formats::Value> documents;
+    std::string refusal;
+  };
+  struct PartsChange;
+  SceneTexts copy_of_texts() const;
+  Json take_parts(const SceneTexts& before, PartsChange change);
+  PartedGear parted_gear(const SceneTexts& texts) const;
+  Json change_parts(const Json& body, const std::function<Proposal(const PartedGear&)>& propose);
+  Json messages_of(const SceneTexts& texts);
   Json text_state() const;
   Json text_to_follow() const;
   Edit edit(const Json& body, std::optional<MovedNumber>& moved);

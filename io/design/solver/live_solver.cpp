@@ -52,6 +52,9 @@ Json LiveSolver::answer(const std::string& name, const Json& body, const std::at
     return tangents_json(tangents, *scene_.last());
   }
   if (name == "check") return {{"messages", messages_json(scene_.check())}};
+  if (name == "consider")
+    return {{"messages", messages_json(scene_.check(text_in(body, "file"), texts_in(body)))}};
+  if (name == "points") return points_json(scene_);
   if (name == "plan") return plan_json(scene_);
   if (name == "picture") return picture_json(scene_);
   if (name == "beside") return body.contains("file") ? beside(body, interrupt) : beside_json(scene_.shape());

@@ -14,6 +14,8 @@ class LiveSolver {
   /// The requests are those of DESIGN.md that need the scene, and some that a session makes:
   ///   follow: the outcome for the texts of the body, with `words`, the number words that are new;
   ///   rerun: the outcome of a run of the last text from its sketch;
+  ///   consider: all messages about the plan of other texts;
+  ///   points: the points of the plan in the last equilibrium;
   ///   beside: figures and picture of another scene or result, or of this one without a `file`.
   /// Throws WrongRequest, Refused and formats::Interrupted.
   Json answer(const std::string& name, const Json& body, const std::atomic<bool>& interrupt,

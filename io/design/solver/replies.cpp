@@ -143,6 +143,15 @@ Json outcome_json(const Outcome& outcome, const LiveScene& scene) {
   return json;
 }
 
+Json points_json(const LiveScene& scene) {
+  Json points = Json::array();
+  for (const auto& [name, node] : scene.points_of_plan()) {
+    const double* at = &scene.last()->points[3 * static_cast<std::size_t>(node)];
+    points.push_back({{"name", name}, {"node", node}, {"at", {at[0], at[1], at[2]}}});
+  }
+  return {{"points", points}};
+}
+
 Json tangents_json(const Tangents& tangents, const Equilibrium& at) {
   const studies::NumberEffect& effect = tangents.effect;
   Json json = {{"path", effect.number.path}, {"value", effect.number.value},

@@ -29,6 +29,9 @@ Json verdict_json(const Outcome& outcome);
 /// The same, with positions and figures of the equilibrium if there is one.
 Json outcome_json(const Outcome& outcome, const LiveScene& scene);
 
+/// The points of the plan in the last equilibrium, each with its node and its place [m].
+Json points_json(const LiveScene& scene);
+
 /// The tangents of a number: the motion of the nodes and the slopes of the figures per unit of the number.
 Json tangents_json(const Tangents& tangents, const Equilibrium& at);
 

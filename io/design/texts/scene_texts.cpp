@@ -2,6 +2,7 @@
 #include "io/design/texts/scene_texts.hpp"
 
 #include "io/design/texts/literal.hpp"
+#include "io/design/texts/rewriting.hpp"
 #include "io/design/texts/written_value.hpp"
 #include "io/formats/files/whole_file.hpp"
 #include "io/formats/toml/parse.hpp"
@@ -173,29 +174,39 @@ void SceneTexts::put(const Edit& edit) {
 
 /// Records an edit. If it continues the last edit, both are recorded as one.
 Edit SceneTexts::keep(Edit edit, bool goes_on) {
-  edits_.resize(done_);
-  Edit* last = goes_on && !edits_.empty() ? &edits_.back() : nullptr;
+  steps_.resize(done_);
+  Edit* last = goes_on && !steps_.empty() && steps_.back().size() == 1 ? &steps_.back().front() : nullptr;
   const bool is_within = last && last->file == edit.file && edit.at >= last->at &&
                          edit.at + edit.before.size() <= last->at + last->after.size();
   if (is_within) {
     last->after.replace(edit.at - last->at, edit.before.size(), edit.after);
   } else if (edit.before != edit.after) {
-    edits_.push_back(edit);
+    steps_.push_back({edit});
     ++done_;
   }
   return edit;
 }
 
+std::vector<Edit> SceneTexts::become(const formats::Value& wanted) {
+  Step step;
+  for (const auto& [name, text] : rewritten(file_, texts_, wanted))
+    if (text != texts_.at(name)) step.push_back(edit_between(name, texts_.at(name), text));
+  if (step.empty()) return step;
+  steps_.resize(done_);
+  steps_.push_back(step);
+  redo();
+  return step;
+}
+
 bool SceneTexts::undo() {
   if (!can_undo()) return false;
-  const Edit& last = edits_[--done_];
-  put({last.file, last.at, last.after, last.before});
+  for (const Edit& edit : steps_[--done_]) put({edit.file, edit.at, edit.after, edit.before});
   return true;
 }
 
 bool SceneTexts::redo() {
   if (!can_redo()) return false;
-  put(edits_[done_++]);
+  for (const Edit& edit : steps_[done_++]) put(edit);
   return true;
 }
 
@@ -228,8 +239,9 @@ void SceneTexts::save_as(const std::string& name) {
   if (path != file_) {
     texts_.erase(file_.string());
     saved_.erase(file_.string());
-    for (Edit& edit : edits_)
-      if (edit.file == file_.string()) edit.file = path.string();
+    for (Step& step : steps_)
+      for (Edit& edit : step)
+        if (edit.file == file_.string()) edit.file = path.string();
     file_ = path;
     texts_[path.string()] = text;
   }

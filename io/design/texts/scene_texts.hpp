@@ -50,8 +50,11 @@ class SceneTexts {
   Edit set(const formats::Change& change, bool goes_on = false);
   /// Replaces the whole text of an own file. Throws Refused if there is no such file.
   Edit replace(const std::string& file, std::string text, bool goes_on = false);
+  /// Changes texts so that the document equals `wanted` (rewriting.hpp); all edits are undone together.
+  /// Throws Refused.
+  std::vector<Edit> become(const formats::Value& wanted);
   bool can_undo() const { return done_ > 0; }
-  bool can_redo() const { return done_ < edits_.size(); }
+  bool can_redo() const { return done_ < steps_.size(); }
   /// undo() takes the last edit back, redo() makes it again. Both return false if there is none.
   bool undo();
   bool redo();
@@ -77,10 +80,12 @@ class SceneTexts {
   void put(const Edit& edit);
   Edit keep(Edit edit, bool goes_on);
 
+  using Step = std::vector<Edit>;  // edits of different files that are undone together
+
   std::filesystem::path file_;
   formats::StoredTexts texts_, saved_;
-  std::vector<Edit> edits_;
-  std::size_t done_ = 0;  // number of edits that are in force; later ones have been undone
+  std::vector<Step> steps_;
+  std::size_t done_ = 0;  // number of steps that are in force; later ones have been undone
 };
 
 }  // namespace netloft::design

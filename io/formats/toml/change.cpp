@@ -210,8 +210,10 @@ Change read_change(const std::string& text, const std::string& option) {
   if (!steps)
     return without_value(std::move(change), "\"" + change.path + "\" is not a path of dotted keys",
                          shape(option));
-  if (steps->front().key == "include")
-    return without_value(std::move(change), "include cannot be set: files are read before values are set");
+  for (const char* key : {"include", "without"})
+    if (steps->front().key == key)
+      return without_value(std::move(change),
+                           std::string(key) + " cannot be set: files are read before values are set");
   change.steps = std::move(*steps);
   const std::string rest = text.substr(equals + 1);
   change.value = parse_value(rest, {-1, 1, length_of(text.substr(0, equals)) + 2, length_of(rest)});

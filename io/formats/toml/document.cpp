@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 
+#include "framework/parameters/nearest.hpp"
 #include "io/formats/files/installed_folder.hpp"
 #include "io/formats/toml/change.hpp"
 #include "io/formats/toml/merge.hpp"
@@ -130,7 +131,8 @@ class Loader {
     std::optional<Value> own = parse_toml(text, file, diagnostics_);
     if (!own) return {Place{file, 1, 1, 1}, Table{}};
     Value all{own->place, Table{}};
-    for (const Value& entry : take_includes(*own)) include(all, entry, folder);
+    for (const Value& entry : take_list(*own, "include", "water.toml")) include(all, entry, folder);
+    for (const Value& entry : take_list(*own, "without", "floats.headline")) leave_out(all, entry);
     merge(all, std::move(*own));
     return all;
   }
@@ -148,16 +150,45 @@ class Loader {
     return failed ? path.lexically_normal().string() : canonical.string();
   }
 
-  std::vector<Value> take_includes(Value& own) {
+  /// Takes a key out of the tables of a file. Its value is a list.
+  std::vector<Value> take_list(Value& own, const std::string& key, const char* example) {
     std::vector<Member>& members = own.as<Table>()->members;
     const auto at =
-        std::find_if(members.begin(), members.end(), [](const Member& m) { return m.key == "include"; });
+        std::find_if(members.begin(), members.end(), [&](const Member& m) { return m.key == key; });
     if (at == members.end()) return {};
     const Value value = std::move(at->value);
     members.erase(at);
     if (const Array* array = value.as<Array>()) return array->items;
-    diagnostics_.error(value.place, "include is not an array", "write include = [\"water.toml\"]");
+    diagnostics_.error(value.place, key + " is not an array", "write " + key + " = [\"" + example + "\"]");
     return {};
+  }
+
+  /// Leaves out a table or a key that the included files have.
+  void leave_out(Value& all, const Value& entry) {
+    const std::string* path = entry.as<std::string>();
+    const Change named = read_change((path ? *path : "") + "=0");
+    if (!path || !named.fault.empty())
+      return diagnostics_.error(entry.place, "without names tables and keys of the included files",
+                                "write without = [\"floats.headline\"]");
+    Table* table = all.as<Table>();
+    for (std::size_t i = 0; i + 1 < named.steps.size() && table; ++i) {
+      Member* inner = named.steps[i].item ? nullptr : table->find(named.steps[i].key);
+      table = inner ? inner->value.as<Table>() : nullptr;
+    }
+    if (table && !named.steps.back().item &&
+        std::erase_if(table->members, [&](const Member& m) { return m.key == named.steps.back().key; }) > 0)
+      return;
+    diagnostics_.error(entry.place, "without: the included files have no " + *path,
+                       hint_of_missing(table, named));
+  }
+
+  static std::string hint_of_missing(const Table* table, const Change& named) {
+    for (const PathStep& step : named.steps)
+      if (step.item) return "one item of an array cannot be left out; state the array again without it";
+    std::vector<std::string> keys;
+    for (const Member& member : table ? table->members : std::vector<Member>{}) keys.push_back(member.key);
+    const auto near = nearest(named.steps.back().key, keys);
+    return near ? "did you mean \"" + *near + "\"?" : "";
   }
 
   void include(Value& all, const Value& entry, const fs::path& folder) {

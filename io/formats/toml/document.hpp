@@ -26,7 +26,9 @@ using StoredTexts = std::map<std::string, std::string>;
 ///
 /// `include = ["a.toml", …]` names files relative to the including file. Files are merged in this order, and
 /// the keys of the including file last: tables merge, `[[hold]]` appends, everything else replaces. A file
-/// that is named several times is read once, at its first mention. Overrides ("path=value") come last.
+/// that is named several times is read once, at its first mention. `without = ["floats.headline", …]` leaves
+/// tables and keys of the included files out, before the keys of the including file are merged. Overrides
+/// ("path=value") come last.
 class Document {
  public:
   /// Errors go to `diagnostics`; after an error the document contains whatever could be read.
@@ -43,7 +45,7 @@ class Document {
   /// that is not among them is an error.
   static Document recall(std::vector<SourceFile> files, Diagnostics& diagnostics);
 
-  /// The complete table, without `include`.
+  /// The complete table, without `include` and `without`.
   const Value& root() const { return root_; }
   /// The root file, then the includes in the order in which they were read.
   const std::vector<SourceFile>& files() const { return files_; }

@@ -365,6 +365,30 @@ formats::Value as_text(std::string text) { return {{}, std::move(text)}; }
 double millimetres_below(double metres) { return std::floor(1e3 * metres * (1 + 1e-12)) / 1e3; }
 double millimetres_above(double metres) { return std::ceil(1e3 * metres * (1 - 1e-12)) / 1e3; }
 
+std::vector<std::string> rates_near(double across, double deep) {
+  constexpr int kMostInARate = 9;     // bars, points or meshes of a rate that somebody cuts
+  constexpr double kHalfAMesh = 0.5;  // on one side; both sides together miss by the mesh that seams can hide
+  struct Rate {
+    double miss;
+    int letters;
+    std::string text;
+  };
+  std::vector<Rate> rates = {{across, 0, "AN"}};
+  for (int bars = 1; bars <= kMostInARate; ++bars)
+    for (int others = 0; others <= kMostInARate; ++others)
+      for (const char letter : {'P', 'M'}) {
+        const std::string text = others == 0 ? "AB" : fmt::format("{}B{}{}", bars, others, letter);
+        if (std::ranges::find(rates, text, &Rate::text) != rates.end()) continue;
+        rates.push_back({std::abs(parse_rate(text)->across(deep) - across), bars + others, text});
+      }
+  std::ranges::stable_sort(
+      rates, {}, [&](const Rate& r) { return std::tuple(std::max(r.miss, kHalfAMesh), r.letters); });
+  std::vector<std::string> texts;
+  for (const Rate& rate : rates)
+    if (texts.size() < kMostRates) texts.push_back(rate.text);
+  return texts;
+}
+
 Cures cures_of_closing(const Panel& panel, const CheckLimits& limits) {
   return panel.has_corners ? Cures{} : Closing(panel, limits).all();
 }

@@ -27,6 +27,10 @@ formats::Value as_text(std::string text);
 double millimetres_below(double metres);
 double millimetres_above(double metres);
 
+/// The rates that go `across` meshes in `deep`: first the simplest that miss by at most half a mesh, or the
+/// nearest one if all miss by more.
+std::vector<std::string> rates_near(double across, double deep);
+
 /// Changes that make the cuttings of a panel agree with the meshes of its aft edge: other counts, another
 /// depth, other rates, or a straight run before a cut.
 Cures cures_of_closing(const Panel& panel, const CheckLimits& limits);

@@ -171,6 +171,11 @@ void put_files(Json& scene) {
         "files that are read first; keys in this file replace theirs; names are relative to the folder of "
         "this file"}},
       false);
+  put(scene, "without",
+      {{"type", "array"},
+       {"items", text("a table or key of the included files, such as floats.headline")},
+       {"description", "what is left out of the files that are included"}},
+      false);
   put(scene, "catalogue",
       {{"type", "array"},
        {"items", text("a folder, relative to the scene")},

@@ -97,7 +97,7 @@ class Examples(unittest.TestCase):
             self.assertEqual(status, 200, f"{name} {body}: {answer}")
         status, answer = served.ask("frobnicate")
         self.assertEqual(status, 400)
-        for name in ("state", "apply", "undo", "redo", "save", "check", "solve", "run", "stop", "jvp", "picture", "plan", "report", "catalogue", "export", "errors", "beside", "influences", "sweep", "reach", "range"):
+        for name in ("state", "apply", "undo", "redo", "save", "check", "solve", "run", "stop", "jvp", "picture", "plan", "report", "catalogue", "export", "errors", "beside", "parts", "add", "remove", "influences", "sweep", "reach", "range"):
             self.assertIn(name, asked)
 
     def test_save_and_undo_keep_texts_to_the_byte(self):

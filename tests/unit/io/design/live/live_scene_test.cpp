@@ -8,6 +8,7 @@
 #include "io/design/texts/scene_texts.hpp"
 #include "io/runs/equilibrium.hpp"
 #include "tests/folders.hpp"
+#include "tests/unit/io/studies/truss.hpp"
 #include "tests/verification/solving.hpp"
 
 namespace netloft::design {
@@ -102,6 +103,67 @@ TEST(LiveScene, ExpectsTheEquilibriumWhereTheTangentLeads) {
   EXPECT_LT(near.ghost_off.value(), 2e-3);
   EXPECT_FALSE(near.jump);
   EXPECT_NEAR(trawl.figure("mouth/headline_height") - before, 0.01 * slope, 2e-4);
+}
+
+/// A scene of one text, of which one number moves.
+class OneNumber {
+ public:
+  OneNumber(const std::string& text, std::string path, const std::string& start)
+      : path_(std::move(path)), live_("own.toml", test::shipped_plugins(), 1), text_(text) {
+    std::string first = text;
+    first.replace(first.find("MOVED"), 5, start);
+    EXPECT_EQ(live_.follow("own.toml", {{"own.toml", first}}, {}, never_).status, Status::converged);
+  }
+  Outcome move(double to) {
+    std::string text = text_;
+    text.replace(text.find("MOVED"), 5, std::to_string(to));
+    return live_.follow("own.toml", {{"own.toml", text}}, MovedNumber{path_, to}, never_);
+  }
+  double height_of(std::size_t node) const { return live_.last()->points[3 * node + 2]; }
+
+ private:
+  std::atomic<bool> never_{false};
+  std::string path_;
+  LiveScene live_;
+  std::string text_;
+};
+
+TEST(LiveScene, SaysThatTheGearJumpedAtAFoldAndNotBeforeIt) {
+  std::string truss = test::kTruss;
+  truss.replace(truss.find("z = 0"), 5, "z = MOVED");
+  OneNumber scene(truss, "parts.load.force.z", "1");
+  for (const double part : {0.3, 0.6, 0.8, 0.95}) {
+    const double load = part * test::load_of_fold();
+    const Outcome near = scene.move(load);
+    ASSERT_EQ(near.status, Status::converged);
+    EXPECT_NEAR(scene.height_of(1), test::height_at(load), 1e-6);
+    EXPECT_FALSE(near.jump) << part;
+  }
+  const double before = scene.height_of(1);
+  const Outcome beyond = scene.move(1.05 * test::load_of_fold());
+  ASSERT_EQ(beyond.status, Status::converged);
+  EXPECT_LT(scene.height_of(1), -0.2) << "snapped through";
+  ASSERT_TRUE(beyond.jump);
+  EXPECT_NEAR(beyond.jump->moved, before - scene.height_of(1), 1e-9);
+  EXPECT_NE(beyond.jump->why.find("another equilibrium"), std::string::npos);
+}
+
+TEST(LiveScene, SaysWhichNodesTouchedTheGroundWhereNoTangentLeadsTo) {
+  OneNumber scene(
+      "[parts.rope]\ntype = \"rope/bar\"\ncells = 2\nlength = \"10 m\"\nsketch = [[0, 0, 0], [0, 0, "
+      "-10]]\nrope = { "
+      "diameter = \"20 mm\", EA = \"10 kN\", density = 2000 }\n[parts.bed]\ntype = \"seabed/plane\"\non = "
+      "\"rope\"\nseabed = "
+      "{ depth = MOVED }\n[[hold]]\non = \"rope.start\"\n",
+      "parts.bed.seabed.depth", "12");
+  const Outcome above = scene.move(11);  // the rope hangs straight above the bed
+  EXPECT_EQ(above.ghost_off, 0);
+  EXPECT_FALSE(above.jump);
+  const Outcome touching = scene.move(9);
+  ASSERT_EQ(touching.status, Status::converged);
+  ASSERT_TRUE(touching.jump);
+  EXPECT_NE(touching.jump->why.find("nodes of rope touched the ground"), std::string::npos)
+      << touching.jump->why;
 }
 
 TEST(LiveScene, KeepsTheLastShapeWhenATextIsWrong) {

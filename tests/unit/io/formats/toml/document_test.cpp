@@ -99,6 +99,32 @@ TEST_F(DocumentTest, AppendsTablesUnderDoubleBracketsIncludedFirst) {
   EXPECT_EQ(on, (std::vector<std::string>{"included", "own"}));
 }
 
+TEST_F(DocumentTest, LeavesOutWhatAFileDoesWithout) {
+  write("b.toml",
+        "[floats.headline]\nspread = 4\n[floats.wing]\nspread = 2\n[tow]\nspeed = 1\nheading = 2\n");
+  write("a.toml",
+        "include = [\"b.toml\"]\nwithout = [\"floats.wing\", \"tow.heading\"]\n[floats.headline]\nnumber = "
+        "3\n");
+  const Document document = load("a.toml");
+  ASSERT_EQ(diagnostics_.errors(), 0u);
+  TableReader root(document.root(), diagnostics_);
+  EXPECT_EQ(root.table("floats").keys(), (std::vector<std::string>{"headline"}));
+  EXPECT_EQ(root.table("tow").keys(), (std::vector<std::string>{"speed"}));
+  EXPECT_EQ(root.table("floats").table("headline").keys(), (std::vector<std::string>{"spread", "number"}));
+}
+
+TEST_F(DocumentTest, SaysWhatCannotBeLeftOut) {
+  write("b.toml", "[floats.wing]\nspread = 2\n[[hold]]\non = \"a\"\n");
+  write("a.toml", "include = [\"b.toml\"]\nwithout = [\"floats.wings\", \"hold[0]\", 3]\n");
+  load("a.toml");
+  ASSERT_EQ(diagnostics_.errors(), 3u);
+  const auto said = diagnostics_.sorted();
+  EXPECT_EQ(said[0].message, "without: the included files have no floats.wings");
+  EXPECT_EQ(said[0].hint, "did you mean \"wing\"?");
+  EXPECT_NE(said[1].hint.find("state the array again"), std::string::npos);
+  EXPECT_NE(said[2].hint.find("without = [\"floats.headline\"]"), std::string::npos);
+}
+
 TEST_F(DocumentTest, ReplacesTablesByAnInlineArray) {
   write("b.toml", "[[hold]]\non = \"included\"\n");
   write("a.toml", "include = [\"b.toml\"]\nhold = [{ on = \"own\" }]\n");
