@@ -347,8 +347,11 @@ class Draughtsman {
       const auto row = [](const std::vector<std::string>& names) {
         return fmt::format("{}", fmt::join(names, " + "));
       };
-      say(fmt::format("seam: {} to {}{}{}", row(join.edges[0]), row(join.edges[1]),
-                      join.take_up > 0 ? fmt::format(", take-up {:.4g}", join.take_up) : "",
+      std::string others;
+      for (std::size_t k = 1; k < join.edges.size(); ++k)
+        others += (k > 1 ? ", and to " : "") + row(join.edges[k]) +
+                  (join.take_up_of(k) > 0 ? fmt::format(", take-up {:.4g}", join.take_up_of(k)) : "");
+      say(fmt::format("seam: {} to {}{}", row(join.edges[0]), others,
                       join.selvedge > 0 ? fmt::format(", {:g} M of either gathered", join.selvedge) : ""),
           kPale);
     }

@@ -83,15 +83,16 @@ class Sheet {
  private:
   void find_seams() {
     formats::Diagnostics silent;
-    for (const auto& join : plan_.joins) {
-      const auto& [first, second] = join.edges;
-      for (std::size_t i = 0; i < std::max(first.size(), second.size()); ++i) {
-        if (first.empty() || second.empty()) break;
-        const auto seam = seam_of(find_edge(plan_, first[std::min(i, first.size() - 1)], {}, "", silent),
-                                  find_edge(plan_, second[std::min(i, second.size() - 1)], {}, "", silent));
-        if (seam) seams_.push_back(*seam);
+    for (const auto& join : plan_.joins)
+      for (std::size_t row = 1; row < join.edges.size(); ++row) {
+        const auto &first = join.edges[0], &other = join.edges[row];
+        for (std::size_t i = 0; i < std::max(first.size(), other.size()); ++i) {
+          if (first.empty() || other.empty()) break;
+          const auto seam = seam_of(find_edge(plan_, first[std::min(i, first.size() - 1)], {}, "", silent),
+                                    find_edge(plan_, other[std::min(i, other.size() - 1)], {}, "", silent));
+          if (seam) seams_.push_back(*seam);
+        }
       }
-    }
     for (const Seam& seam : seams_) {
       sewn_[seam.aft.panel].push_back({&seam.aft, &seam.fore});
       sewn_[seam.fore.panel].push_back({&seam.fore, &seam.aft});

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/gears/meshing/girth.hpp"
 
+#include "io/gears/meshing/equal_points.hpp"
 #include "io/gears/meshing/knot_graph.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace netloft::gears {
@@ -62,12 +64,37 @@ Girth::Girth(const Gear& gear, const GearMesh& mesh)
       side_(mesh.nodes, 1),
       covered_(mesh.nodes, false),
       closed_(mesh.nodes, false) {
+  find_layers(gear, mesh);
   find_senses(gear);
   find_folds(gear);
   find_sides(gear, mesh);
   find_closed(gear, mesh);
   solve_fields(gear, mesh);
   measure_bottom(gear, mesh);
+}
+
+void Girth::find_layers(const Gear& gear, const GearMesh& mesh) {
+  EqualPoints sewn;  // panels that are sewn to each other, other than as a further layer
+  for (std::size_t p = 0; p < gear.panels.size(); ++p) sewn.add();
+  const auto unite = [&](const Seam& seam) {
+    for (const auto& row : seam.edges)
+      for (const auto& ref : row) sewn.unite(seam.edges[0].front().panel, ref.panel);
+  };
+  for (const auto& seam : gear.seams)
+    if (!seam.is_of_layer && !seam.edges[0].empty()) unite(seam);
+  std::map<std::size_t, std::size_t> layers;
+  for (const auto& seam : gear.seams)
+    for (const auto& ref : seam.edges[1])
+      if (seam.is_of_layer && !sewn.are_one(seam.edges[0].front().panel, ref.panel))
+        layers.emplace(sewn.root(ref.panel), layers.size() + 1);
+  bottom_.resize(layers.size() + 1);
+  layer_of_node_.assign(mesh.nodes, 0);
+  for (std::size_t p = 0; p < gear.panels.size(); ++p) {
+    const auto own = layers.find(sewn.root(p));
+    layer_.push_back(own == layers.end() ? 0 : own->second);
+  }
+  for (std::size_t p = gear.panels.size(); p-- > 0;)  // a common node belongs to the first of its panels
+    for (const auto node : mesh.panels[p].nodes) layer_of_node_[node] = layer_[p];
 }
 
 /// Finds for each panel whether the distance from the top, measured along the girth, increases outwards (+1)
@@ -200,13 +227,14 @@ void Girth::measure_bottom(const Gear& gear, const GearMesh& mesh) {
       const auto node = panel.nodes[own];
       most = std::max(most, around_[node]);
       if (is_bottom && !closed_[node])
-        bottom_.push_back({aft_[node], own_[node] = around_[node] + wide * std::abs(panel.meshes[own][0])});
+        bottom_[layer_[p]].push_back(
+            {aft_[node], own_[node] = around_[node] + wide * std::abs(panel.meshes[own][0])});
     }
     for (const EdgeRef& fold : folds_[p])
       if (is_below(gear, fold)) measure_below(gear, mesh, fold);
   }
-  if (bottom_.empty()) bottom_.push_back({0, std::max(2 * most, 1e-3)});
-  std::sort(bottom_.begin(), bottom_.end());
+  if (bottom_[0].empty()) bottom_[0].push_back({0, std::max(2 * most, 1e-3)});
+  for (auto& layer : bottom_) std::sort(layer.begin(), layer.end());
 }
 
 /// Adds the half girth S at nodes on a fold at the bottom.
@@ -214,16 +242,18 @@ void Girth::measure_below(const Gear& gear, const GearMesh& mesh, const EdgeRef&
   const PanelMesh& panel = mesh.panels[fold.panel];
   for (const auto own : panel.sets.at(gear.panels[fold.panel].outline.edges[fold.edge].name)) {
     const auto node = panel.nodes[own];
-    bottom_.push_back({aft_[node], own_[node] = around_[node]});
+    bottom_[layer_[fold.panel]].push_back({aft_[node], own_[node] = around_[node]});
   }
 }
 
 double Girth::half_girth(std::uint32_t node) const {
   if (own_[node] > 0) return std::max(own_[node], 1e-3);
   const double aft = aft_[node];
-  const auto next = std::lower_bound(bottom_.begin(), bottom_.end(), std::pair{aft, 0.0});
-  if (next == bottom_.begin()) return std::max(next->second, 1e-3);
-  if (next == bottom_.end()) return std::max(bottom_.back().second, 1e-3);
+  const auto& own = bottom_[layer_of_node_[node]];
+  const auto& bottom = own.empty() ? bottom_[0] : own;
+  const auto next = std::lower_bound(bottom.begin(), bottom.end(), std::pair{aft, 0.0});
+  if (next == bottom.begin()) return std::max(next->second, 1e-3);
+  if (next == bottom.end()) return std::max(bottom.back().second, 1e-3);
   const auto before = std::prev(next);
   const double gap = next->first - before->first, t = gap > 0 ? (aft - before->first) / gap : 0;
   return std::max((1 - t) * before->second + t * next->second, 1e-3);

@@ -26,6 +26,7 @@ class Girth {
   double half_girth(std::uint32_t node) const;
 
  private:
+  void find_layers(const Gear& gear, const GearMesh& mesh);
   void find_senses(const Gear& gear);
   void find_closed(const Gear& gear, const GearMesh& mesh);
   void find_sides(const Gear& gear, const GearMesh& mesh);
@@ -43,7 +44,11 @@ class Girth {
   std::vector<double> own_;  // half girth through each node [m]; 0: not known
   std::vector<int> side_;
   std::vector<bool> covered_, closed_;
-  std::vector<std::pair<double, double>> bottom_;  // distance aft and half girth, in ascending order
+  // The layer of netting of each panel and of each node. Panels within others, or around them, are layers of
+  // their own (Seam::is_of_layer); all other panels are layer 0.
+  std::vector<std::size_t> layer_, layer_of_node_;
+  // For each layer: distance aft and half girth, in ascending order.
+  std::vector<std::vector<std::pair<double, double>>> bottom_;
 };
 
 }  // namespace netloft::gears

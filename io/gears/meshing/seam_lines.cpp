@@ -129,13 +129,20 @@ class LineMaker {
     const auto a = runs_of(seam.rows[0]), b = runs_of(seam.rows[1]);
     if (a.size() != b.size()) refuse_seam(gear_, cloths_, seam);
     for (std::size_t k = 0; k < a.size(); ++k) {
-      const std::size_t line = add_line();
-      use(line, a[k].side, a[k].run);
+      const std::size_t line = line_of(a[k], seam.is_of_layer);
       const auto ends = all_.lines[line].ends;
       use(line, b[k].side, b[k].run);
       if (all_.lines[line].ends != ends) refuse_seam(gear_, cloths_, seam);
       state_faces(seam, a[k].side, b[k].side);
     }
+  }
+
+  /// The line of a run of a first row: a new one, or, for a further layer, that of the layers before it.
+  std::size_t line_of(const RunOfSide& run, bool is_of_layer) {
+    if (is_of_layer) return all_.sides[run.side.side][run.run].line;
+    const std::size_t line = add_line();
+    use(line, run.side, run.run);
+    return line;
   }
 
   /// Two cloths show the same face outwards if their borders run along their common seam in opposite

@@ -40,6 +40,7 @@ class Sewer {
     join_halves();
     add_seams();
     for (const auto& seam : borders_.seams) match(seam);
+    match_layers();
     return std::move(borders_);
   }
 
@@ -84,7 +85,7 @@ class Sewer {
     Faces faces(cloths_.cloths.size());
     for (const auto& halves : borders_.seams) state_faces(halves.rows, faces);
     std::vector<SewnRows> seams;
-    for (const auto& seam : gear_.seams) seams.push_back({rows_of(seam, true), seam.join});
+    for (const auto& seam : gear_.seams) seams.push_back({rows_of(seam, true), seam.join, seam.is_of_layer});
     for (const auto& seam : seams)
       if (!is_mixed(seam.rows)) state_faces(seam.rows, faces);
     for (std::size_t s = 0; s < seams.size(); ++s) {
@@ -96,6 +97,16 @@ class Sewer {
     }
     for (auto& seam : seams)
       if (!seam.rows[0].empty() && !seam.rows[1].empty()) borders_.seams.push_back(std::move(seam));
+  }
+
+  /// Matches joins of more than two rows once more: their first row by now has the points of all rows, which
+  /// the seams that were matched before are to have, too.
+  void match_layers() {
+    std::set<std::size_t> joins;
+    for (const auto& seam : borders_.seams)
+      if (seam.is_of_layer) joins.insert(*seam.join);
+    for (const auto& seam : borders_.seams)
+      if (seam.join && joins.contains(*seam.join)) match(seam);
   }
 
   std::array<Row, 2> rows_of(const Seam& seam, bool sides_aft) const {

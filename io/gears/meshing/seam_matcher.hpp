@@ -24,6 +24,7 @@ using Row = std::vector<DirectedSide>;
 struct SewnRows {
   std::array<Row, 2> rows;
   std::optional<std::size_t> join;  // index in NetPlan::joins; nullopt for the two halves of a middle panel
+  bool is_of_layer = false;         // Seam::is_of_layer
 };
 
 /// The borders of cloths with their corners, sewn together.

@@ -21,8 +21,8 @@ class EdgeUses {
  public:
   explicit EdgeUses(const NetPlan& plan) {
     for (const auto& join : plan.joins)
-      for (std::size_t side = 0; side < 2; ++side)
-        for (const auto& name : join.edges[side]) enter(plan, name, "sewn", join.places[side]);
+      for (std::size_t row = 0; row < join.edges.size(); ++row)
+        for (const auto& name : join.edges[row]) enter(plan, name, "sewn", join.places[row]);
     for (const auto& hanging : plan.hangings) enter(plan, hanging.edge, "hung", hanging.edge_place);
   }
 

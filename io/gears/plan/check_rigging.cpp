@@ -60,6 +60,7 @@ bool is_counted(const EdgeRow& a, const EdgeRow& b) {
 struct Match {
   bool is_counted;
   double first, second;  // meshes, or length of twines [m]
+  bool has_take_up;      // whether the plan states a take-up ratio
   double expected;       // the second amount over the first, as the plan states it
   double off() const { return second / first / expected - 1; }
 };
@@ -78,20 +79,32 @@ void add_cures_of_row(Cures& cures, const NetPlan& plan, const std::vector<std::
   }
 }
 
-/// Proposals for a seam whose sides do not fit: other counts of its edges, or the take-up ratio that fits the
-/// sides.
-Cures cures_of_seam(const NetPlan& plan, const Join& join, const Match& match) {
+/// The value of take_up with another number for one row.
+formats::Value take_up_with(const Join& join, std::size_t row, double ratio) {
+  if (join.edges.size() == 2) return as_number(ratio);
+  formats::Array all;
+  for (std::size_t k = 1; k < join.edges.size(); ++k)
+    all.items.push_back(as_number(k == row ? ratio : join.take_up_of(k) > 0 ? join.take_up_of(k) : 1));
+  return {{}, all};
+}
+
+/// Proposals for a seam whose first row and another one do not fit: other counts of their edges, or the
+/// take-up ratio that fits them.
+Cures cures_of_seam(const NetPlan& plan, const Join& join, std::size_t row, const Match& match) {
   Cures cures;
-  add_cures_of_row(cures, plan, join.edges[0], match.second / match.expected - match.first, match.is_counted);
-  add_cures_of_row(cures, plan, join.edges[1], match.expected * match.first - match.second, match.is_counted);
+  if (join.edges.size() == 2)
+    add_cures_of_row(cures, plan, join.edges[0], match.second / match.expected - match.first,
+                     match.is_counted);
+  add_cures_of_row(cures, plan, join.edges[row], match.expected * match.first - match.second,
+                   match.is_counted);
   const double ratio = std::stod(fmt::format("{:.4g}", match.second / match.first));
   if (!join.path.empty())
-    cures.push_back(set(join.path + ".take_up", as_number(ratio),
-                        "if so many meshes of the second edge are sewn to one mesh of the first"));
+    cures.push_back(set(join.path + ".take_up", take_up_with(join, row, ratio),
+                        "if so many meshes of the edge are sewn to one mesh of the first"));
   return cures;
 }
 
-void say_mismatch(const Join& join, const std::string& path, const EdgeRow& a, const EdgeRow& b,
+void say_mismatch(const formats::Place& place, const std::string& path, const EdgeRow& a, const EdgeRow& b,
                   const Match& match, const Cures& cures, const CheckLimits& limits,
                   formats::Diagnostics& diagnostics) {
   const int times = a.times == b.times ? a.times : 1;
@@ -99,35 +112,38 @@ void say_mismatch(const Join& join, const std::string& path, const EdgeRow& a, c
     return match.is_counted ? in_meshes(row.meshes / times) + " meshes"
                             : in_metres(row.stretched / times) + " m of twine";
   };
-  const std::string message = fmt::format(
-      "{}: {} has {}, but {} has {}, {}{}", path, a.name, measure(a), b.name, measure(b),
-      in_percent(match.off()), join.take_up > 0 ? fmt::format(" of the take-up {:.3g}", join.take_up) : "");
+  const std::string message =
+      fmt::format("{}: {} has {}, but {} has {}, {}{}", path, a.name, measure(a), b.name, measure(b),
+                  in_percent(match.off()),
+                  match.has_take_up ? fmt::format(" of the take-up {:.3g}", match.expected) : "");
   if (std::abs(match.off()) > limits.joining_error)
-    diagnostics.error(join.places[1], message, "", cures);
+    diagnostics.error(place, message, "", cures);
   else
-    diagnostics.warning(join.places[1], message, "", cures);
+    diagnostics.warning(place, message, "", cures);
 }
 
-void check_match(const NetPlan& plan, const Join& join, const std::string& path, const EdgeRow& a,
-                 const EdgeRow& b, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
+void check_match(const NetPlan& plan, const Join& join, std::size_t row, const std::string& path,
+                 const EdgeRow& a, const EdgeRow& b, const CheckLimits& limits,
+                 formats::Diagnostics& diagnostics) {
   const bool counted = is_counted(a, b);
+  const double take_up = join.take_up_of(row);
   const Match match = {counted, counted ? a.meshes : a.stretched, counted ? b.meshes : b.stretched,
-                       join.take_up > 0 ? join.take_up : 1};
+                       take_up > 0, take_up > 0 ? take_up : 1};
   if (match.first <= 0 || match.second <= 0) return;
   const double excess = std::abs(match.second - match.expected * match.first);
   const double few = limits.joining_meshes * std::max(a.times, b.times) * (counted ? 1 : a.mesh);
   if (excess <= few || excess <= limits.joining * match.expected * match.first) return;
-  const Cures cures = diagnostics.wants_cures() ? cures_of_seam(plan, join, match) : Cures{};
-  say_mismatch(join, path, a, b, match, cures, limits, diagnostics);
+  const Cures cures = diagnostics.wants_cures() ? cures_of_seam(plan, join, row, match) : Cures{};
+  say_mismatch(join.places[row], path, a, b, match, cures, limits, diagnostics);
 }
 
 /// Warns about edges sewn mesh to mesh whose mesh sizes differ so much that the wider meshes cannot open far.
-void check_widths(const Join& join, const std::string& path, const EdgeRow& a, const EdgeRow& b,
+void check_widths(const formats::Place& place, const std::string& path, const EdgeRow& a, const EdgeRow& b,
                   const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const double narrow = std::min(a.stretched, b.stretched), wide = std::max(a.stretched, b.stretched);
   if (!is_counted(a, b) || narrow <= 0 || narrow >= limits.bunching * wide) return;
   diagnostics.warning(
-      join.places[1],
+      place,
       fmt::format(
           "{}: {} is {} m wide when stretched, but {} {} m: the wider netting would be bunched, ratio {:.2g}",
           path, a.name, in_metres(a.stretched / a.times), b.name, in_metres(b.stretched / b.times),
@@ -139,13 +155,15 @@ void check_widths(const Join& join, const std::string& path, const EdgeRow& a, c
 /// contains "body.bosom".
 class Ledger {
  public:
-  explicit Ledger(const char* deed) : deed_(deed) {}
+  explicit Ledger(const char* deed, const char* hint = "") : deed_(deed), hint_(hint) {}
   void enter(const EdgeSet& set, const formats::Place& place, const std::string& path,
              formats::Diagnostics& diagnostics) {
     for (const auto& edge : set.edges)
       if (const auto earlier = done_.find(name(set, edge)); earlier != done_.end()) {
-        diagnostics.error(place, fmt::format("{}: \"{}\" is {} twice, also at {}", path, earlier->first,
-                                             deed_, diagnostics.where(earlier->second)));
+        diagnostics.error(place,
+                          fmt::format("{}: \"{}\" is {} twice, also at {}", path, earlier->first, deed_,
+                                      diagnostics.where(earlier->second)),
+                          hint_);
         break;
       }
     for (const auto& edge : set.edges) done_.emplace(name(set, edge), place);
@@ -155,7 +173,7 @@ class Ledger {
   static std::string name(const EdgeSet& set, const OutlineEdge& edge) {
     return set.panel->name + "." + edge.name;
   }
-  const char* deed_;
+  const char *deed_, *hint_;
   std::map<std::string, formats::Place> done_;
 };
 
@@ -393,6 +411,23 @@ class Connections {
 
 std::string owner(const std::string& name) { return name.substr(0, name.find('.')); }
 
+/// The rows of a join. Edges that are sewn to themselves are read and entered once.
+std::vector<EdgeRow> read_rows(const NetPlan& plan, const Join& join, const std::string& path, Ledger& sewn,
+                               formats::Diagnostics& diagnostics) {
+  std::vector<EdgeRow> rows;
+  formats::Diagnostics silent;
+  for (std::size_t k = 0; k < join.edges.size(); ++k) {
+    if (k > 0 && join.is_to_itself()) {
+      rows.push_back(rows[0]);
+      break;
+    }
+    rows.push_back(read_edge_row(plan, join.edges[k], join.places[k], path, diagnostics));
+    for (const auto& edge : join.edges[k])
+      sewn.enter(find_edge(plan, edge, {}, "", silent), join.places[k], path, diagnostics);
+  }
+  return rows;
+}
+
 void connect_join(Connections& all, const Join& join) {
   const std::string first = join.edges[0].empty() ? "" : owner(join.edges[0][0]);
   for (const auto& row : join.edges)
@@ -402,23 +437,19 @@ void connect_join(Connections& all, const Join& join) {
 }  // namespace
 
 void check_joins(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
-  Ledger sewn("sewn");
-  formats::Diagnostics silent;
+  Ledger sewn("sewn", "one [[join]] takes all edges that meet in a seam: list them in its edges");
   for (std::size_t i = 0; i < plan.joins.size(); ++i) {
     const Join& join = plan.joins[i];
     const std::string path = join.path.empty() ? indexed("join", i) : join.path;
-    const EdgeRow a = read_edge_row(plan, join.edges[0], join.places[0], path, diagnostics);
-    const EdgeRow b =
-        join.is_to_itself() ? a : read_edge_row(plan, join.edges[1], join.places[1], path, diagnostics);
-    for (std::size_t k = 0; k < (join.is_to_itself() ? 1 : 2); ++k)
-      for (const auto& edge : join.edges[k])
-        sewn.enter(find_edge(plan, edge, {}, "", silent), join.places[k], path, diagnostics);
-    if (!a.is_sound || !b.is_sound) continue;
-    if (join.is_to_itself()) check_sewn_to_itself(join, path, a, diagnostics);
-    check_ring(join, 0, path, a, diagnostics);
-    if (!join.is_to_itself()) check_ring(join, 1, path, b, diagnostics);
-    check_match(plan, join, path, a, b, limits, diagnostics);
-    check_widths(join, path, a, b, limits, diagnostics);
+    const std::vector<EdgeRow> rows = read_rows(plan, join, path, sewn, diagnostics);
+    if (!std::ranges::all_of(rows, &EdgeRow::is_sound)) continue;
+    if (join.is_to_itself()) check_sewn_to_itself(join, path, rows[0], diagnostics);
+    for (std::size_t k = 0; k < (join.is_to_itself() ? 1 : rows.size()); ++k)
+      check_ring(join, k, path, rows[k], diagnostics);
+    for (std::size_t k = 1; k < rows.size(); ++k) {
+      check_match(plan, join, k, path, rows[0], rows[k], limits, diagnostics);
+      check_widths(join.places[k], path, rows[0], rows[k], limits, diagnostics);
+    }
   }
 }
 

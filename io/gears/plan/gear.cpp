@@ -66,11 +66,7 @@ class GearMaker {
 
   Gear make() {
     for (const auto& panel : plan_.panels) add_panel(panel);
-    for (std::size_t j = 0; j < plan_.joins.size(); ++j) {
-      const std::size_t first = gear_.seams.size();
-      add_seam(plan_.joins[j]);
-      for (std::size_t s = first; s < gear_.seams.size(); ++s) gear_.seams[s].join = j;
-    }
+    for (std::size_t j = 0; j < plan_.joins.size(); ++j) add_seams(j);
     add_rigging();
     for (const auto& body : plan_.bodies)
       for (const Side side : sides_of(body.stands))
@@ -175,22 +171,26 @@ class GearMaker {
     row.insert(row.end(), more.begin(), more.end());
   }
 
-  void add_seam(const Join& join) {
+  void add_seams(std::size_t j) {
+    const Join& join = plan_.joins[j];
+    if (join.is_to_itself() && !is_whole()) return put_on_plane(join);
+    for (std::size_t row = 1; row < join.edges.size(); ++row)
+      for (auto& rows : rows_of(join, row))
+        gear_.seams.push_back({std::move(rows), join.is_to_itself(), row > 1, j});
+  }
+
+  using Rows = std::array<std::vector<EdgeRef>, 2>;
+  /// The first row of a join with another one: twice if both are there to starboard and to port.
+  std::vector<Rows> rows_of(const Join& join, std::size_t row) const {
+    const auto &one = join.edges[0], &other = join.edges[row];
     const auto twice = [&](const std::vector<std::string>& names) {
       return std::all_of(names.begin(), names.end(), [&](const auto& n) { return is_there_twice(n); });
     };
-    if (join.is_to_itself() && !is_whole()) return put_on_plane(join);
-    if (join.is_to_itself())
-      gear_.seams.push_back(
-          {{row_of(join.edges[0], Side::starboard), row_of(join.edges[1], Side::port)}, 0, true});
-    else if (!is_whole())
-      gear_.seams.push_back(
-          {{row_of(join.edges[0], Side::none), row_of(join.edges[1], Side::none)}, join.take_up});
-    else if (twice(join.edges[0]) && twice(join.edges[1]))
-      for (const Side side : {Side::starboard, Side::port})
-        gear_.seams.push_back({{row_of(join.edges[0], side), row_of(join.edges[1], side)}, join.take_up});
-    else
-      gear_.seams.push_back({{row_across(join.edges[0]), row_across(join.edges[1])}, join.take_up});
+    if (join.is_to_itself()) return {{row_of(one, Side::starboard), row_of(other, Side::port)}};
+    if (!is_whole()) return {{row_of(one, Side::none), row_of(other, Side::none)}};
+    if (!twice(one) || !twice(other)) return {{row_across(one), row_across(other)}};
+    return {{row_of(one, Side::starboard), row_of(other, Side::starboard)},
+            {row_of(one, Side::port), row_of(other, Side::port)}};
   }
 
   void put_on_plane(const Join& join) {

@@ -43,14 +43,14 @@ struct EdgeRef {
 
 /// Edges that are sewn together, one or more on each side of the seam. Both sides become one line of knots,
 /// however they are divided. Edges have the directions of their outlines, which may be opposite across the
-/// seam.
+/// seam. If more than two layers of netting meet in a line, each further layer is a seam with the first side.
 struct Seam {
   std::array<std::vector<EdgeRef>, 2> edges;
-  double take_up = 0;  // meshes of the second side per mesh of the first; 0: mesh to mesh
   /// Whether edges are sewn to their mirror image; edges that cross the middle then belong to both sides of
   /// the seam.
   bool is_to_itself = false;
-  std::size_t join = 0;  // index in NetPlan::joins
+  bool is_of_layer = false;  // whether the second side is one more layer, beside the first two of the join
+  std::size_t join = 0;      // index in NetPlan::joins
 };
 
 /// An edge hung on a rope, and the length of rope that it takes [m].

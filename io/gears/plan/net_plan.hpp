@@ -171,17 +171,20 @@ struct Hanging {
   bool operator==(const Hanging&) const = default;
 };
 
-/// Edges that are sewn together, with one or more edges on each side. If both sides are the same edge, port
-/// is sewn to starboard.
+/// Rows of one or more edges that are sewn together: two sides of a net, and further layers of netting that
+/// are sewn to the same line, such as a funnel or a cover. If there are two rows of the same edges, port is
+/// sewn to starboard.
 struct Join {
-  std::array<std::vector<std::string>, 2> edges;
-  double take_up = 0;   // meshes of the second side per mesh of the first; 0: mesh to mesh
+  std::vector<std::vector<std::string>> edges;  // two rows or more
+  std::vector<double> take_up =
+      {};               // for each row after the first, meshes per mesh of the first; 0: mesh to mesh
   double selvedge = 0;  // meshes of each edge that are gathered into the seam
-  std::array<formats::Place, 2> places;
+  std::vector<formats::Place> places;
   formats::Place place;
   std::string path = {};  // path of its table, "join[2]"; empty if no table states it
 
-  bool is_to_itself() const { return edges[0] == edges[1]; }
+  bool is_to_itself() const { return edges.size() == 2 && edges[0] == edges[1]; }
+  double take_up_of(std::size_t row) const { return row <= take_up.size() ? take_up[row - 1] : 0; }
   bool operator==(const Join&) const = default;
 };
 

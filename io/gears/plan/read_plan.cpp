@@ -168,7 +168,7 @@ class PlanReader {
   void close_tube(const Panel& panel) {
     const std::vector<std::string> sides = {panel.name + ".sides"};
     if (panel.is_round)
-      plan_.joins.push_back({{sides, sides}, 0, 0, {panel.place, panel.place}, panel.place});
+      plan_.joins.push_back({{sides, sides}, {}, 0, {panel.place, panel.place}, panel.place});
   }
 
   formats::TableReader root_;

@@ -123,24 +123,35 @@ Hanging read_hanging(formats::TableReader& table) {
   return hanging;
 }
 
+/// A number for each edge after the first, or one number if there is only one such edge.
+std::vector<double> read_take_up(formats::TableReader& table, std::size_t edges) {
+  const std::string doc = "meshes of each further edge for one of the first";
+  const formats::Range range = formats::between(0.05, 20);
+  if (edges == 1 && table.kind("take_up") != formats::Kind::array)
+    return {table.real("take_up", {.unit = "1", .doc = doc, .range = range})};
+  return table.reals("take_up", {.unit = "1", .doc = doc, .range = range, .count = formats::exactly(edges)});
+}
+
 Join read_join(formats::TableReader& table) {
   Join join;
   join.place = table.place();
   join.path = table.path();
   const formats::Value* edges = table.raw("edges");
   const formats::Array* array = edges ? edges->as<formats::Array>() : nullptr;
-  if (!array || array->items.size() != 2) {
-    table.error("edges", "give two edges that are sewn together, such as [\"wing.aft\", \"body.fore\"]");
+  if (!array || array->items.size() < 2) {
+    table.error(
+        "edges",
+        "give two edges that are sewn together, such as [\"wing.aft\", \"body.fore\"], or more of them, "
+        "if several layers of netting meet in one seam");
+    join.edges.resize(2);
+    join.places.resize(2, join.place);
     return join;
   }
-  for (std::size_t i = 0; i < 2; ++i) {
-    join.places[i] = array->items[i].place;
-    join.edges[i] = read_row(array->items[i], table.path("edges"), table.diagnostics());
+  for (const auto& item : array->items) {
+    join.places.push_back(item.place);
+    join.edges.push_back(read_row(item, table.path("edges"), table.diagnostics()));
   }
-  if (table.has("take_up"))
-    join.take_up = table.real("take_up", {.unit = "1",
-                                          .doc = "meshes of the second edge for one of the first",
-                                          .range = formats::between(0.05, 20)});
+  if (table.has("take_up")) join.take_up = read_take_up(table, join.edges.size() - 1);
   join.selvedge = table.real("selvedge", {.unit = "1",
                                           .doc = "meshes of either edge that are gathered into the seam",
                                           .range = formats::between(0, 50),

@@ -91,7 +91,7 @@ void say_not_a_side(const Join& join, const std::string& edge, formats::Diagnost
 void add_selvedges(NetPlan& plan, formats::Diagnostics& diagnostics) {
   formats::Diagnostics silent;  // unknown names are reported by the check
   for (const auto& join : plan.joins)
-    for (std::size_t k = 0; join.selvedge > 0 && k < (join.is_to_itself() ? 1u : 2u); ++k)
+    for (std::size_t k = 0; join.selvedge > 0 && k < (join.is_to_itself() ? 1u : join.edges.size()); ++k)
       for (const auto& name : join.edges[k]) {
         const EdgeSet set = find_edge(plan, name, {}, "", silent);
         if (!set.edges.empty() && !set.is_side()) say_not_a_side(join, name, diagnostics);

@@ -67,7 +67,8 @@ Json join_schema() {
   put(join, "edges", {{"type", "array"}, {"minItems", 2}, {"description", "net plan: edges sewn together"}},
       false);
   put(join, "take_up",
-      {{"type", "number"}, {"description", "net plan: meshes of the second edge for one of the first"}},
+      {{"type", Json::array({"number", "array"})},
+       {"description", "net plan: meshes of each further edge for one of the first"}},
       false);
   join["anyOf"] = {{{"required", {"points"}}}, {{"required", {"edges"}}}};
   return {{"type", "array"}, {"items", join}};

@@ -8,6 +8,7 @@
 #include "io/results/figures/law_range.hpp"
 #include "io/results/figures/materials.hpp"
 #include "io/results/figures/overload.hpp"
+#include "io/results/figures/passages.hpp"
 #include "io/results/figures/uncounted_pull.hpp"
 #include "io/results/figures/whereabouts.hpp"
 #include "io/runs/hold_force.hpp"
@@ -52,6 +53,7 @@ std::vector<std::string> find_warnings(const scenes::LoadedScene& loaded, const 
   for (const auto& more :
        {overload_warnings(loaded, assembler, answer), law_range_warnings(loaded.scene, laws),
         doubt_warnings(loaded, assembler, answer), whereabouts_warnings(loaded, assembler, answer),
+        passage_warnings(loaded, assembler, answer),
         uncounted_pull_warnings(loaded, assembler, residual, result.figures)})
     all.insert(all.end(), more.begin(), more.end());
   for (auto& board : find_fallen_boards(loaded, result.figures)) all.push_back(std::move(board.sentence));

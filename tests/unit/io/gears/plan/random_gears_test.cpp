@@ -19,8 +19,8 @@ class Draw {
     NetPlan plan;
     plan.panels = {panel("upper", stands, depth), panel("lower", stands, depth),
                    panel("behind", stands, real(2, 60))};
-    plan.joins.push_back({{{{"upper.outer"}, {"lower.outer"}}}, 0, {}, {}, {}});
-    plan.joins.push_back({{{{"upper.aft"}, {"behind.fore"}}}, 0, {}, {}, {}});
+    plan.joins.push_back({{{"upper.outer"}, {"lower.outer"}}, {}, 0, {}, {}});
+    plan.joins.push_back({{{"upper.aft"}, {"behind.fore"}}, {}, 0, {}, {}});
     plan.ropes.push_back(rope(stands));
     plan.hangings.push_back({"upper.fore", "rope", 0, real(0.3, 0.8), {}, {}, {}});
     return plan;

@@ -146,6 +146,17 @@ const Wrong kSewing[] = {
     {"SewnTwice", "edges = [\"body.aft\", \"bag.fore\"]",
      "edges = [\"body.aft\", \"bag.fore\"]\n[[join]]\nedges = [\"bag.fore\", \"bag.aft\"]",
      "\"bag.fore\" is sewn twice, also at plan.toml:"},
+    {"ThirdEdgeInASeamTwice", "edges = [\"body.aft\", \"bag.fore\"]",
+     "edges = [\"body.aft\", \"bag.fore\", \"bag.fore\"]", "\"bag.fore\" is sewn twice"},
+    {"LayerOfUnequalMeshes", "edges = [\"body.aft\", \"bag.fore\"]",
+     "edges = [\"body.aft\", \"bag.fore\", \"liner.fore\"]\n[panels.liner]\nmesh = \"100 mm\"\n"
+     "twine = \"pe-braided-3mm\"\nfore = 12\ndepth = 20\nsides = \"AN\"\nopen = [\"sides\", \"aft\"]",
+     "body.aft has 20 meshes, but liner.fore has 12"},
+    {"TakeUpOfOneLayerOnly", "edges = [\"body.aft\", \"bag.fore\"]",
+     "edges = [\"body.aft\", \"bag.fore\", \"liner.fore\"]\ntake_up = 0.6\n[panels.liner]\nmesh = \"100 "
+     "mm\"\n"
+     "twine = \"pe-braided-3mm\"\nfore = 12\ndepth = 20\nsides = \"AN\"\nopen = [\"sides\", \"aft\"]",
+     "take_up"},
     {"StretchOfAnEdgeSewnTwice", "edges = [\"body.aft\", \"bag.fore\"]",
      "edges = [\"body.aft\", \"bag.fore\"]\n[[join]]\nedges = [[\"body.fore\"], [\"wing.fore\", "
      "\"wing.outer\"]]",
