@@ -148,8 +148,8 @@ std::vector<formats::Change> coarser_gear(const scenes::GearInScene& gear, const
   return {formats::make_change({"gear", "nodes"}, {{}, static_cast<std::int64_t>(gear.nodes / 4)})};
 }
 
-/// Copies the positions of origins and points of rigid bodies. Rotations are copied by
-/// VariantProblems::transfer.
+/// Copies the positions of origins and points of rigid bodies, as far as both bodies have a point at the same
+/// place: points on a rim are those of the mesh. Rotations are copied by VariantProblems::transfer.
 void carry_bodies(const Scene& from, const std::vector<double>& x, const Scene& to,
                   std::vector<double>& positions) {
   const auto copy = [&](std::uint32_t source, std::uint32_t target) {
@@ -157,8 +157,10 @@ void carry_bodies(const Scene& from, const std::vector<double>& x, const Scene& 
   };
   for (std::size_t b = 0; b < to.bodies.size(); ++b) {
     copy(from.bodies[b].origin, to.bodies[b].origin);
-    for (std::size_t k = 0; k < to.bodies[b].points.size(); ++k)
-      copy(from.bodies[b].points[k].node, to.bodies[b].points[k].node);
+    for (const auto& point : to.bodies[b].points)
+      if (const auto same = std::ranges::find(from.bodies[b].points, point.r, &RigidBody::Point::r);
+          same != from.bodies[b].points.end())
+        copy(same->node, point.node);
   }
 }
 

@@ -42,6 +42,7 @@ void check_net(NetPlan& plan, formats::Diagnostics& diagnostics, const CheckLimi
   const int errors_before = diagnostics.errors();
   check_joins(plan, limits, diagnostics);
   check_hangings(plan, limits, diagnostics);
+  check_rims(plan, diagnostics);
   check_ropes(plan, limits, diagnostics);
   // Connections are not checked after an error, because the error itself may be why parts are unconnected:
   // for example, an unknown name.

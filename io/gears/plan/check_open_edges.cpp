@@ -24,6 +24,8 @@ class EdgeUses {
       for (std::size_t row = 0; row < join.edges.size(); ++row)
         for (const auto& name : join.edges[row]) enter(plan, name, "sewn", join.places[row]);
     for (const auto& hanging : plan.hangings) enter(plan, hanging.edge, "hung", hanging.edge_place);
+    for (const auto& body : plan.bodies)
+      if (!body.rim.empty()) enter(plan, body.rim, "hung", body.rim_place);
   }
 
   struct Use {

@@ -467,6 +467,22 @@ void check_hangings(const NetPlan& plan, const CheckLimits& limits, formats::Dia
   }
 }
 
+void check_rims(const NetPlan& plan, formats::Diagnostics& diagnostics) {
+  for (const auto& body : plan.bodies) {
+    if (body.rim.empty()) continue;
+    const std::string path = path_of({"bodies", body.name, "rim", "edge"});
+    const EdgeSet edge = find_edge(plan, body.rim, body.rim_place, path, diagnostics);
+    if (edge.edges.empty() || (body.stands == Standing::pair) == (edge.times() == 2)) continue;
+    const bool is_pair = body.stands == Standing::pair;
+    diagnostics.error(body.rim_place,
+                      fmt::format("{}: {} exists {}, but {} {}", path, body.rim,
+                                  is_pair ? "once" : "to port and to starboard", body.name,
+                                  is_pair ? "to port and to starboard" : "once"),
+                      "",
+                      {set(path_of({"bodies", body.name, "stands"}), as_text(is_pair ? "middle" : "pair"))});
+  }
+}
+
 void check_loose_ropes(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics) {
   const HangingsByRope hangings = hangings_by_rope(plan);
   for (const auto& rope : plan.ropes)
@@ -513,10 +529,12 @@ void check_connections(const NetPlan& plan, formats::Diagnostics& diagnostics) {
   for (const auto& point : plan.points)
     if (!plan.find_body(owner(point.name))) all.add(point.name, point.place);
   for (const auto& body : plan.bodies)
-    if (tied.contains(body.name)) all.add(body.name,
-                                          body.place);  // a scene may attach bodies without ropes
+    if (tied.contains(body.name) || !body.rim.empty())
+      all.add(body.name, body.place);  // a scene may attach other bodies without ropes
   for (const auto& join : plan.joins) connect_join(all, join);
   for (const auto& hanging : plan.hangings) all.connect(owner(hanging.edge), hanging.rope);
+  for (const auto& body : plan.bodies)
+    if (!body.rim.empty()) all.connect(body.name, owner(body.rim));
   for (const auto& rope : plan.ropes)
     for (const auto& end : rope.between) all.connect(rope.name, owner(end));
   all.report(diagnostics);

@@ -219,12 +219,14 @@ struct BodyPoint {
 };
 
 /// A rigid body, such as an otter board. The plan contains only its points, such as `door.warp`, to which
-/// ropes lead; the scene reads the rest.
+/// ropes lead, and the edge on its rim; the scene reads the rest.
 struct PlanBody {
   std::string name;
   Standing stands = Standing::pair;
   std::vector<BodyPoint> points;
   formats::Place place;
+  std::string rim = {};  // the edge of a panel that is hung on its rim; empty: none
+  formats::Place rim_place = {};
   bool operator==(const PlanBody&) const = default;
 
   const BodyPoint* find_point(const std::string& point) const;

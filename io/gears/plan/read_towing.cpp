@@ -114,6 +114,12 @@ PlanBody read_plan_body(const std::string& name, formats::TableReader& table, co
   body.stands = read_standing(table, "pair");
   const formats::Value* own = table.has(kPoints) ? table.raw(kPoints) : nullptr;
   body.points = points_in(own ? own : points_of_catalogue(table, catalogue));
+  if (table.kind("rim") == formats::Kind::table) {
+    formats::Diagnostics silent;  // the scene that reads the body reports its errors
+    formats::TableReader rim(*table.raw("rim"), silent);
+    body.rim = rim.text("edge", {});
+    body.rim_place = rim.place("edge");
+  }
   for (const auto& key : table.keys()) table.raw(key);  // known, because the scene reads them
   return body;
 }

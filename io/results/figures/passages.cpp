@@ -35,13 +35,13 @@ class PassageFinder {
       : layers_(layers), positions_(positions), tree_(layers.triangles, positions) {}
 
   std::vector<Passage> find() {
-    std::set<std::array<std::uint32_t, 2>> seen;  // sides, each of which belongs to two triangles
+    std::vector<Layers::Line> lines;
     for (std::size_t t = 0; t < layers_.triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k) {
-        std::array side{layers_.triangles[t][k], layers_.triangles[t][(k + 1) % 3]};
-        if (side[0] > side[1]) std::swap(side[0], side[1]);
-        if (seen.insert(side).second) try_line({side, layers_.part_of_triangle[t]});
+        const auto side = side_of(layers_.triangles[t][k], layers_.triangles[t][(k + 1) % 3]);
+        if (sides_.insert(side).second) lines.push_back({side, layers_.part_of_triangle[t]});
       }
+    for (const auto& line : lines) try_line(line);
     for (const auto& bar : layers_.bars) try_line(bar);
     std::vector<Passage> all;
     for (auto& [parts, found] : found_) {
@@ -52,6 +52,8 @@ class PassageFinder {
   }
 
  private:
+  using Side = std::array<std::uint32_t, 2>;
+  static Side side_of(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
   const double* x(std::uint32_t node) const { return &positions_[3 * std::size_t{node}]; }
 
   double gauge(std::uint32_t part) const { return part < layers_.gauge.size() ? layers_.gauge[part] : 0; }
@@ -63,9 +65,8 @@ class PassageFinder {
   }
 
   void try_triangle(const Layers::Line& line, std::uint32_t t) {
+    if (line.part == layers_.part_of_triangle[t]) return;
     const auto& [a, b, c] = layers_.triangles[t];
-    for (const auto end : line.ends)
-      if (end == a || end == b || end == c) return;
     const Point ab = minus(x(b), x(a)), ac = minus(x(c), x(a)), bc = minus(x(c), x(b));
     const Point normal = cross(ab, ac);
     const double area = std::sqrt(times(normal, normal));
@@ -84,11 +85,20 @@ class PassageFinder {
     const Point inside = minus(at.data(), x(a));
     const double v = times(normal, cross(inside, ac)) / (area * area),
                  w = times(normal, cross(ab, inside)) / (area * area);
-    if (v >= 0 && w >= 0 && v + w <= 1) keep(line.part, t, depth, at);
+    if (v >= 0 && w >= 0 && v + w <= 1 && !are_neighbours(line, t)) keep(line.part, t, depth, at);
+  }
+
+  /// Whether a line and a triangle share a node, or have nodes that one side joins. Netting on both sides of
+  /// a seam is neighbouring, and folds about the seam.
+  bool are_neighbours(const Layers::Line& line, std::uint32_t t) const {
+    for (const auto end : line.ends)
+      for (const auto corner : layers_.triangles[t])
+        if (end == corner || sides_.contains(side_of(end, corner))) return true;
+    return false;
   }
 
   void keep(std::uint32_t part, std::uint32_t t, double depth, const Point& at) {
-    std::uint32_t through = layers_.part_of_triangle[t];
+    const std::uint32_t through = layers_.part_of_triangle[t];
     Found& found = found_[{std::min(part, through), std::max(part, through)}];
     found.pierced.insert(t);
     if (depth > found.passage.depth) found.passage = {part, through, 0, depth, at};
@@ -102,6 +112,7 @@ class PassageFinder {
   const Layers& layers_;
   std::span<const double> positions_;
   TriangleTree tree_;
+  std::set<Side> sides_;                                 // of all triangles
   std::map<std::array<std::uint32_t, 2>, Found> found_;  // by the two parts
 };
 
@@ -148,9 +159,8 @@ std::vector<std::string> passage_warnings(const scenes::LoadedScene& loaded, con
         "{} passes through {}, deepest at ({:.2f}, {:.2f}, {:.2f}) m, by {:.2g} m{}: the model has no "
         "contact "
         "between parts of the gear",
-        loaded.scene.parts[p.part].name,
-        p.part == p.through ? std::string("itself") : loaded.scene.parts[p.through].name, p.at[0], p.at[1],
-        p.at[2], p.depth, p.places > 1 ? fmt::format(", and in {} triangles in all", p.places) : ""));
+        loaded.scene.parts[p.part].name, loaded.scene.parts[p.through].name, p.at[0], p.at[1], p.at[2],
+        p.depth, p.places > 1 ? fmt::format(", and in {} triangles in all", p.places) : ""));
   return warnings;
 }
 

@@ -18,12 +18,12 @@ struct Layers {
   std::vector<TriangleTree::Triangle> triangles;
   std::vector<std::uint32_t> part_of_triangle;
   std::vector<Line> bars;  // bars of ropes; sides of triangles are not among them
-  // Of each part: the length of a bar of its meshes or, if it is a rope, its diameter [m]; 0 if it has
+  // For each part, the length of a bar of its meshes or, if it is a rope, its diameter [m]; 0 if it has
   // neither.
   std::vector<double> gauge;
 };
 
-/// Places at which one part passes through the netting of another one, or of itself.
+/// Places at which one part passes through the netting of another one.
 struct Passage {
   std::uint32_t part = 0, through = 0;
   std::size_t places = 0;         // triangles that are pierced
@@ -31,9 +31,10 @@ struct Passage {
   std::array<double, 3> at = {};  // the deepest place [m]
 };
 
-/// Finds where sides of triangles and bars pierce triangles with which they share no node. A place counts if
-/// both ends are off the plane of the triangle by more than the mean gauge of both parts, because meshes of
-/// layers that lie on each other reach into each other. Passages are sorted by their parts.
+/// Finds where sides of triangles and bars pierce triangles of other parts that are not their neighbours.
+/// Triangles of one part are left out, because slack netting lies in wrinkles. A place counts if both ends
+/// are off the plane of the triangle by more than the mean gauge of both parts, because meshes of layers that
+/// lie on each other reach into each other. Passages are sorted by their parts.
 std::vector<Passage> find_passages(const Layers& layers, std::span<const double> positions);
 
 /// Returns a sentence for every two parts that pass through each other. Elements have no contact with each

@@ -181,18 +181,55 @@ BodyOfPlan GearParts::place_of(const gears::GearBody& body) const {
   return place;
 }
 
+/// The nodes of a closed edge, by their numbers in the gear, with the fraction of the way round at which they
+/// are: 0 at the top, 1/4 to starboard, -1/4 to port.
+std::map<std::uint32_t, double> GearParts::nodes_round(const BodyRim& rim) const {
+  const auto dot = rim.edge.find('.');
+  const auto* panel = gear_.find_panel(rim.edge.substr(0, dot));
+  const auto& divided =
+      panel ? mesh().panels[static_cast<std::size_t>(panel - gear_.panels.data())] : mesh().panels.front();
+  const auto set = divided.sets.find(rim.edge.substr(dot + 1));
+  std::map<std::uint32_t, double> nodes;
+  if (!panel || set == divided.sets.end()) return nodes;
+  const auto [first, last] =
+      std::ranges::minmax(set->second, {}, [&](std::uint32_t own) { return divided.meshes[own][0]; });
+  const double from = divided.meshes[first][0], round = divided.meshes[last][0] - from;
+  if (divided.nodes[first] != divided.nodes[last]) return nodes;
+  for (const auto own : set->second)
+    nodes[divided.nodes[own]] = (divided.meshes[own][0] - from) / round - 0.5;
+  return nodes;
+}
+
+void GearParts::hang_on_rim(std::size_t part) {
+  Geometry& geometry = draft_.geometries[part];
+  const BodyRim& rim = *geometry.body->rim;
+  const auto nodes = nodes_round(rim);
+  if (nodes.empty())
+    diagnostics_.error(rim.place, "rim.edge: " + formats::in_quotes(rim.edge) + " does not close to a ring",
+                       "name the fore or aft edge of a panel with `round`, which goes once round the rim");
+  std::size_t number = 0;
+  for (const auto& [node, fraction] : nodes) {
+    add_body_point(geometry, "rim-" + std::to_string(++number), point_on(rim, fraction));
+    tie_point(part, geometry.body->r.size(), node);
+  }
+}
+
+void GearParts::tie_point(std::size_t part, std::size_t own_node, std::uint32_t gear_node) {
+  own(gear_node, {part, static_cast<std::uint32_t>(own_node)});
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    known_.push_back(
+        {gear_node, static_cast<int>(axis), draft_.geometries[part].positions[3 * own_node + axis]});
+}
+
 void GearParts::tie(const gears::GearBody& body, std::size_t part) {
   const Geometry& geometry = draft_.geometries[part];
   if (body.body->stands == gears::Standing::pair)
     draft_.out.gear->pairs[body.body->name].push_back(static_cast<std::uint32_t>(part));
   for (std::uint32_t k = 0; geometry.body && k < geometry.body->names.size(); ++k) {
     const auto node = mesh().points.find(body.name + "." + geometry.body->names[k]);
-    if (node == mesh().points.end()) continue;
-    own(node->second, {part, k + 1});
-    for (int axis = 0; axis < 3; ++axis)
-      known_.push_back({node->second, axis,
-                        geometry.positions[3 * (k + std::size_t{1}) + static_cast<std::size_t>(axis)]});
+    if (node != mesh().points.end()) tie_point(part, k + 1, node->second);
   }
+  if (geometry.body && geometry.body->rim) hang_on_rim(part);
 }
 
 void GearParts::read_parts(PartReader& parts) {

@@ -62,6 +62,11 @@ class GearParts : public GearSteps {
   /// Connects the ropes that end at a body: the points of the body become the ends of these ropes. `part` is
   /// the index of the body's part.
   void tie(const gears::GearBody& body, std::size_t part);
+  /// Hangs an edge of netting on the rim of a body: the nodes of the edge become points of the body.
+  void hang_on_rim(std::size_t part);
+  std::map<std::uint32_t, double> nodes_round(const BodyRim& rim) const;
+  /// Makes a node of the gear a node of a body, and its initial position that on the body.
+  void tie_point(std::size_t part, std::size_t own_node, std::uint32_t gear_node);
   void add_parts();
   /// Records that a part has a node of the gear.
   void own(std::uint32_t gear_node, const Joiner::OwnNode& node);

@@ -9,6 +9,14 @@
 namespace netloft::scenes {
 
 /// The geometry of a rigid body. Its nodes are its origin and its points.
+/// A closed rim on which an edge of netting is hung: an ellipse in a plane across the body axis x.
+struct BodyRim {
+  std::string edge;  // of a panel of the net plan
+  formats::Place place;
+  std::array<double, 3> at = {};  // centre in body axes [m]
+  double width = 0, height = 0;   // [m]
+};
+
 struct BodyGeometry {
   double side = 1;                             // 1: starboard; -1: port, with y of all body axes reversed
   std::array<double, 3> rotation = {};         // initial rotation vector [rad]
@@ -16,6 +24,7 @@ struct BodyGeometry {
   std::vector<std::string> names;              // names of the points
   std::vector<std::array<double, 3>> r;        // positions of the points in body axes [m]
   std::vector<std::array<double, 3>> outline;  // a polygon in body axes, for pictures [m]
+  std::optional<BodyRim> rim = {};
 };
 
 /// The nodes and elements of one part, and data of its elements, before parts are joined. "Own" numbers of

@@ -122,6 +122,22 @@ const GeometryKey kOutline{
     Shape::points, kCoordinates, {.least = 3},
     false};
 
+namespace {
+const formats::Range kRimSizes{.lo = 0, .hi = 1e4, .lo_open = true};
+}
+const GeometryKey kRimEdge{
+    "rim.edge",  "1", "edge of a panel of the net plan that is hung round the rim of the body",
+    Shape::word, {},  {},
+    false};
+const GeometryKey kRimWidth{
+    "rim.width", "m", "width of the rim, an ellipse across x", Shape::real, kRimSizes, {}, false};
+const GeometryKey kRimHeight{
+    "rim.height", "m", "height of the rim; default: its width", Shape::real, kRimSizes, {}, false};
+const GeometryKey kRimAt{
+    "rim.at",      "m",          "centre of the rim in the axes of the body; default: the origin",
+    Shape::points, kCoordinates, formats::exactly(1),
+    false};
+
 double read_real(formats::TableReader& table, const GeometryKey& key, std::optional<double> fallback) {
   return table.real(leaf(key), {.unit = key.unit, .doc = key.doc, .range = key.range, .fallback = fallback});
 }
@@ -159,7 +175,8 @@ const std::vector<GeometryKey>& geometry_keys(Layout layout) {
       {kLength, kBars, kLine},
       {kAcross, kAlong, kBar, kNetting, kCells, kDivision, kCorners, kFrom, kTo, kRadius, kRadiusAft},
       {kAcross, kAlong, kBar, kSquareCells, kCorners, kFrom, kTo, kRadius, kRadiusAft},
-      {kOrigin, kPoints, kSide, kHeading, kHeel, kTrim, kTurns, kOutline}};
+      {kOrigin, kPoints, kSide, kHeading, kHeel, kTrim, kTurns, kOutline, kRimEdge, kRimWidth, kRimHeight,
+       kRimAt}};
   return keys.of(layout);
 }
 

@@ -37,7 +37,7 @@ struct ByLayout {
 
 extern const GeometryKey kAt, kLength, kBars, kLine, kAcross, kAlong, kBar, kNetting, kCells, kDivision,
     kSquareCells, kCorners, kFrom, kTo, kRadius, kRadiusAft, kOrigin, kPoints, kSide, kHeading, kHeel, kTrim,
-    kTurns, kOutline;
+    kTurns, kOutline, kRimEdge, kRimWidth, kRimHeight, kRimAt;
 
 double read_real(formats::TableReader& table, const GeometryKey& key, std::optional<double> fallback = {});
 /// Reads a word; returns the first allowed word if the key is missing.

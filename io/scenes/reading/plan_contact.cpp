@@ -46,8 +46,10 @@ bool rests_on_bed(const gears::Rope& rope) {
 
 std::vector<std::string> shoes_of(const gears::PlanBody& body) {
   std::vector<std::string> shoes;
-  for (const char* point : {"toe", "heel"})
-    if (body.find_point(point)) shoes.push_back(body.name + "." + point);
+  for (const char* side : {"", "port-", "starboard-"})
+    for (const char* end : {"toe", "heel"})
+      if (const std::string point = std::string(side) + end; body.find_point(point))
+        shoes.push_back(body.name + "." + point);
   return shoes;
 }
 

@@ -8,8 +8,11 @@
 #include <netloft/attitude.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
+#include <utility>
 
 namespace netloft::scenes {
 
@@ -61,6 +64,15 @@ void read_named_points(formats::TableReader& table, BodyGeometry& body) {
   }
 }
 
+std::optional<BodyRim> read_rim(formats::TableReader& table) {
+  if (!table.has("rim")) return {};
+  formats::TableReader rim = table.table("rim");
+  BodyRim read{rim.text("edge", {.doc = kRimEdge.doc}), rim.place("edge"), {}, read_real(rim, kRimWidth), 0};
+  read.height = read_real(rim, kRimHeight, read.width);
+  if (rim.has("at")) read.at = read_one_point(rim, kRimAt);
+  return read;
+}
+
 Point placed(const Point& origin, const Point& rotation, const Point& r) {
   return point_of(vector_of(origin) + rotated(vector_of(rotation), vector_of(r)));
 }
@@ -100,15 +112,43 @@ Geometry read_body(formats::TableReader& table, const BodyOfPlan* plan) {
   const Point origin = read_origin(table, plan, body);
   append(out.positions, origin);
   out.names.sets["origin"] = {0};
-  for (std::uint32_t k = 0; k < body.r.size(); ++k) {
-    append(out.positions, placed(origin, body.rotation, body.r[k]));
-    out.names.sets[body.names[k]] = {k + 1};
-  }
+  body.rim = read_rim(table);
   out.elements = {0};
   out.data[datum::kSide.name] = {body.side};
   out.data[datum::kArm.name] = {0, 0, 0};
+  const auto names = std::exchange(body.names, {});
+  const auto r = std::exchange(body.r, {});
   out.body = std::move(body);
+  for (std::size_t k = 0; k < r.size(); ++k) add_body_point(out, names[k], r[k]);
   return out;
+}
+
+void add_body_point(Geometry& of, const std::string& name, const Point& r) {
+  const Point origin{of.positions[0], of.positions[1], of.positions[2]};
+  append(of.positions, placed(origin, of.body->rotation, r));
+  of.body->names.push_back(name);
+  of.body->r.push_back(r);
+  of.names.sets[name] = {static_cast<std::uint32_t>(of.body->r.size())};
+}
+
+Point point_on(const BodyRim& rim, double fraction) {
+  constexpr int kChords = 720;  // per half; the length of a half is that of its chords to 1e-6
+  const auto at = [&](double angle) {
+    return Point{rim.at[0], rim.at[1] + 0.5 * rim.width * std::sin(angle),
+                 rim.at[2] + 0.5 * rim.height * std::cos(angle)};
+  };
+  std::vector<double> length{0};
+  const double step = std::numbers::pi / kChords;
+  for (int k = 0; k < kChords; ++k)
+    length.push_back(length.back() + distance(at(k * step), at((k + 1) * step)));
+  const double half = std::abs(fraction) * 2;
+  const double wanted = half * length.back();
+  const auto next = std::clamp<std::ptrdiff_t>(
+      std::upper_bound(length.begin(), length.end(), wanted) - length.begin(), 1, kChords);
+  const double before = length[static_cast<std::size_t>(next - 1)],
+               after = length[static_cast<std::size_t>(next)];
+  const double angle = (static_cast<double>(next - 1) + (wanted - before) / (after - before)) * step;
+  return at(fraction < 0 ? -angle : angle);
 }
 
 namespace {

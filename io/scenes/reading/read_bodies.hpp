@@ -19,6 +19,12 @@ struct BodyOfPlan {
 /// of the points. The data of its element are side (1 or -1) and arm, which is zero [m].
 Geometry read_body(formats::TableReader& table, const BodyOfPlan* plan = nullptr);
 
+/// Adds a point at `r` in the axes of a body to the geometry of the body.
+void add_body_point(Geometry& of, const std::string& name, const std::array<double, 3>& r);
+
+/// Points on a rim at fractions of its length, from the top outwards and round [m].
+std::array<double, 3> point_on(const BodyRim& rim, double fraction);
+
 /// Makes the rigid bodies of a scene, whose nodes must be numbered. Faults are reported at their places.
 void add_bodies(Draft& draft, formats::Diagnostics& diagnostics);
 

@@ -36,7 +36,7 @@ class Gears(InFreshFolder):
         page = (SOURCE / "io/gears/GEAR.md").read_text()
         plans = re.findall(r"^```toml (\S+)\n(.*?)^```", page, re.DOTALL | re.MULTILINE)
         self.assertEqual(len(plans), len(re.findall("^```toml", page, re.MULTILINE)), "every plan has a name")
-        self.assertEqual(len(plans), 5)
+        self.assertEqual(len(plans), 7)
         for name, plan in plans:
             self.write(name, plan)
         for name, plan in plans:
