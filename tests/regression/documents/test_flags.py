@@ -75,6 +75,7 @@ COMMANDS = (
     (f"hard_cases tests/stability --set analysis.newton.damping=0 --solver newton --size small --case flat-sketch --seed 2 --work 1000 "
      f"--seconds-per-case 5 --threads 1 -o matrix.html {COMMON}", '"newton"'),
     ("hard_cases tests/stability --strategy auto --without restarts --size small --case flat-sketch --update-references", "auto"),
+    ("hard_cases tests/stability --strategy auto --flow on --size small --case trawl/current-1", "auto"),
     ("netloft import femnet gears/01_two_bars.don --mesh gears/01_two_bars.mdg --json -o bars.toml; ls bars.toml bars.mesh", "bars.mesh"),
     ("netloft import femnet gears/01_two_bars.don --divide -o divided.toml; ls divided.mesh", "divided.mesh"),
     ("netloft import femnet gears/09_hauling.don --motion -o moving.toml; grep dynamic moving.toml", "dynamic"),

@@ -92,8 +92,8 @@ class AMistake(unittest.TestCase):
             path.write_text(GEAR.file.read_text())
             with self.assertRaisesRegex(netloft.WrongInput, "the library has it: include") as caught:
                 netloft.load(path).solve()
-            include = re.search(r'include = \[".*"\]', str(caught.exception).split("the library has it: ")[1]).group()
-            path.write_text(re.sub(r"include = .*", include, GEAR.file.read_text()))
+            includes = re.findall(r'the library has it: include = \[(".*?")\]', str(caught.exception))
+            path.write_text(re.sub(r"include = .*", f"include = [{', '.join(includes)}]", GEAR.file.read_text()))
             self.assertEqual(netloft.load(path).with_({"gear.nodes": 150}).solve().report, RESULT.report)
 
     def test_of_a_search_keeps_its_shape(self):
