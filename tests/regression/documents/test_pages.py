@@ -27,7 +27,7 @@ STANDS_FOR = (
     (r"^netloft study (\w+)$", r"netloft study \1 ropes.study"), (r"^(netloft study .*)\bFOLDER\b", r"\1ropes.study"), (r"--items \d+", "--items 1"),
     (r"RESULT(\.hdf)?…?", "before.hdf"), (r"\bTYPE\b", "rope/bar"), (r"=P\b", "=diagonal"), (r"=STEP\b", "=1e4"), (r" N\b", " 2"),
     (r"\bSIZE\b", "small"), (r"^\./bootstrap hard-cases ", "hard_cases "), (r"^\./bootstrap ", "netloft "),
-    (r"^(netloft (?:design|serve) )", r"timeout -s INT --preserve-status 3 \1"), (r"^build/release/bin/", ""), (r"io/studies/compare/work-precision", "work-precision"))
+    (r"^(netloft (?:design|serve) )", r"timeout -s INT --preserve-status 8 \1"), (r"^build/release/bin/", ""), (r"io/studies/compare/work-precision", "work-precision"))
 COARSER = (
     (r"^(netloft compare .*)--accuracy \S+", r"\1--accuracy 1e-1:1e-1 --repeats 1 --set analysis.duration=0.5"),
     (r"^(netloft compare .*)--tolerance \S+", r"\1--tolerance 1e-3:1e-2"), (r"^(netloft compare .*)--cells \S+", r"\1--cells 4,8,16"),

@@ -18,8 +18,10 @@ class GearModel {
     this.makeBalls();
     if (result.catch) this.makeCatch();
     this.solids = new Solids(this);
+    this.drawn = new Set();  // parts with elements; water that the gear slows has none
+    for (const c of CELLS) for (const part of result[c.parts]) this.drawn.add(part);
     // Elements of contact with the bed are hidden unless they are selected.
-    result.parts.forEach((p, i) => { if (p.contact) this.show(i, false); });
+    result.parts.forEach((p, i) => { if (p.contact || !this.drawn.has(i)) this.show(i, false); });
   }
 
   material(kind, vertexShader, fragmentShader, more = {}, options = {}) {

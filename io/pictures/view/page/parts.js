@@ -19,6 +19,7 @@ class PartList {
     patch.style.background = cssColour(this.viewer.colours.ofPart(i));
     label.append(box, patch, element('span', {}, part.name));
     row.append(label, only);
+    row.hidden = !this.viewer.models[0].drawn.has(i);
     return row;
   }
 
