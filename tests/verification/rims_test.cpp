@@ -114,5 +114,18 @@ TEST_F(Rims, AreNotForSheetsThatAreOpenBelow) {
       << scene.diagnostics().render(false);
 }
 
+TEST_F(Rims, AreNotLongerThanTheirNettingStretches) {
+  std::string text = std::string(kHoop) + kClosed;
+  text.replace(text.find("width = \"1.5 m\""), 15, "width = \"3.0 m\"");
+  const auto file = std::filesystem::path(test::build_folder()) / "scratch" / "long-rim.toml";
+  std::ofstream(file) << text;
+  runs::PreparedScene scene(runs::CaseSource{file, {}, 1}, test::shipped_plugins());
+  EXPECT_NE(scene.prepare(), runs::PreparedScene::State::ready);
+  EXPECT_NE(scene.diagnostics().render(false).find(
+                "\"net.fore\" is 6.4 m long when its meshes are stretched, but the rim 6.9"),
+            std::string::npos)
+      << scene.diagnostics().render(false);
+}
+
 }  // namespace
 }  // namespace netloft::test

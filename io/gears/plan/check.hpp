@@ -57,7 +57,7 @@ void check_fittings(const NetPlan& plan, const std::vector<RopeSpan>& spans,
 void check_panels(NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 void check_joins(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 void check_hangings(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
-/// Reports edges on rims of bodies that do not exist.
+/// Reports edges on rims of bodies that do not exist, or not on the same sides as the body.
 void check_rims(const NetPlan& plan, formats::Diagnostics& diagnostics);
 void check_ropes(const NetPlan& plan, const CheckLimits& limits, formats::Diagnostics& diagnostics);
 void check_connections(const NetPlan& plan, formats::Diagnostics& diagnostics);

@@ -2,9 +2,12 @@
 #include "io/scenes/reading/gear_parts.hpp"
 
 #include "io/formats/toml/merge.hpp"
+#include "io/formats/units/in_metres.hpp"
 #include "io/formats/work/long_work.hpp"
 #include "io/gears/catalogue/part_kinds.hpp"
 #include "io/gears/meshing/cannot_divide.hpp"
+#include "io/gears/plan/check.hpp"
+#include "io/gears/plan/names.hpp"
 #include "io/gears/plan/twine_coordinates.hpp"
 #include "io/scenes/reading/gear_model.hpp"
 #include "io/scenes/reading/idle_keys.hpp"
@@ -17,6 +20,8 @@
 #include "io/scenes/reading/riding.hpp"
 #include "io/scenes/reading/ship_course.hpp"
 #include "io/scenes/reading/thickness.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -200,6 +205,18 @@ std::map<std::uint32_t, double> GearParts::nodes_round(const BodyRim& rim) const
   return nodes;
 }
 
+/// Refuses a rim that is longer than the meshes of its edge can be stretched.
+void GearParts::check_rim_length(const BodyRim& rim) {
+  formats::Diagnostics silent;  // the check of the plan reports unknown edges
+  const double stretched = gears::find_edge(plan_, rim.edge, {}, "", silent).stretched();
+  if (const double length = length_of(rim); length > (1 + gears::CheckLimits{}.stretching) * stretched)
+    diagnostics_.error(rim.place,
+                       fmt::format("rim.edge: {} is {} long when its meshes are stretched, but the rim {}",
+                                   formats::in_quotes(rim.edge), formats::in_metres(stretched, 3),
+                                   formats::in_metres(length, 3)),
+                       "give the rim a smaller width, or the panel more meshes round");
+}
+
 void GearParts::hang_on_rim(std::size_t part) {
   Geometry& geometry = draft_.geometries[part];
   const BodyRim& rim = *geometry.body->rim;
@@ -207,6 +224,7 @@ void GearParts::hang_on_rim(std::size_t part) {
   if (nodes.empty())
     diagnostics_.error(rim.place, "rim.edge: " + formats::in_quotes(rim.edge) + " does not close to a ring",
                        "name the fore or aft edge of a panel with `round`, which goes once round the rim");
+  check_rim_length(rim);
   std::size_t number = 0;
   for (const auto& [node, fraction] : nodes) {
     add_body_point(geometry, "rim-" + std::to_string(++number), point_on(rim, fraction));

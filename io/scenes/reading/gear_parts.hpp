@@ -64,6 +64,7 @@ class GearParts : public GearSteps {
   void tie(const gears::GearBody& body, std::size_t part);
   /// Hangs an edge of netting on the rim of a body: the nodes of the edge become points of the body.
   void hang_on_rim(std::size_t part);
+  void check_rim_length(const BodyRim& rim);
   std::map<std::uint32_t, double> nodes_round(const BodyRim& rim) const;
   /// Makes a node of the gear a node of a body, and its initial position that on the body.
   void tie_point(std::size_t part, std::size_t own_node, std::uint32_t gear_node);

@@ -131,24 +131,38 @@ void add_body_point(Geometry& of, const std::string& name, const Point& r) {
   of.names.sets[name] = {static_cast<std::uint32_t>(of.body->r.size())};
 }
 
-Point point_on(const BodyRim& rim, double fraction) {
-  constexpr int kChords = 720;  // per half; the length of a half is that of its chords to 1e-6
-  const auto at = [&](double angle) {
-    return Point{rim.at[0], rim.at[1] + 0.5 * rim.width * std::sin(angle),
-                 rim.at[2] + 0.5 * rim.height * std::cos(angle)};
-  };
+namespace {
+
+constexpr int kChords = 720;  // of half a rim; their length is that of the half to 1e-6
+constexpr double kChordAngle = std::numbers::pi / kChords;
+
+Point at_angle(const BodyRim& rim, double angle) {
+  return {rim.at[0], rim.at[1] + 0.5 * rim.width * std::sin(angle),
+          rim.at[2] + 0.5 * rim.height * std::cos(angle)};
+}
+
+/// Lengths of half a rim from the top to the end of each chord [m].
+std::vector<double> half_lengths(const BodyRim& rim) {
   std::vector<double> length{0};
-  const double step = std::numbers::pi / kChords;
   for (int k = 0; k < kChords; ++k)
-    length.push_back(length.back() + distance(at(k * step), at((k + 1) * step)));
-  const double half = std::abs(fraction) * 2;
-  const double wanted = half * length.back();
+    length.push_back(length.back() +
+                     distance(at_angle(rim, k * kChordAngle), at_angle(rim, (k + 1) * kChordAngle)));
+  return length;
+}
+
+}  // namespace
+
+double length_of(const BodyRim& rim) { return 2 * half_lengths(rim).back(); }
+
+Point point_on(const BodyRim& rim, double fraction) {
+  const std::vector<double> length = half_lengths(rim);
+  const double wanted = 2 * std::abs(fraction) * length.back();
   const auto next = std::clamp<std::ptrdiff_t>(
       std::upper_bound(length.begin(), length.end(), wanted) - length.begin(), 1, kChords);
   const double before = length[static_cast<std::size_t>(next - 1)],
                after = length[static_cast<std::size_t>(next)];
-  const double angle = (static_cast<double>(next - 1) + (wanted - before) / (after - before)) * step;
-  return at(fraction < 0 ? -angle : angle);
+  const double angle = (static_cast<double>(next - 1) + (wanted - before) / (after - before)) * kChordAngle;
+  return at_angle(rim, fraction < 0 ? -angle : angle);
 }
 
 namespace {

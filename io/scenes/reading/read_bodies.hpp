@@ -22,6 +22,7 @@ Geometry read_body(formats::TableReader& table, const BodyOfPlan* plan = nullptr
 /// Adds a point at `r` in the axes of a body to the geometry of the body.
 void add_body_point(Geometry& of, const std::string& name, const std::array<double, 3>& r);
 
+double length_of(const BodyRim& rim);  // [m]
 /// Points on a rim at fractions of its length, from the top outwards and round [m].
 std::array<double, 3> point_on(const BodyRim& rim, double fraction);
 
